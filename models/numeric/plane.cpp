@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "models/numeric/plane.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace cigsim {
+namespace {
+
+constexpr double kEps = 0x1p-53;  // unit round-off
+// Below this magnitude products may have lost bits to underflow, and the filter must not decide.
+constexpr double kUnderflow = 0x1p-900;
+
+thread_local std::uint64_t fallbacks = 0;
+
+int sign(const Exact& value) { return sgn(value); }
+
+Exact exact_value(const Plane& plane, const ExactVec& point) {
+  return dot(exact_normal(plane), point - convert<Exact>(plane.exact.p));
+}
+
+// One component of the normal, a1*b2 - a2*b1 with a, b rounded differences of doubles. Each
+// difference carries a relative error of eps, each product 3 eps, the sum one more: within
+// 5 eps (|a1 b2| + |a2 b1|) to first order; 6 covers the rest.
+double component_error(double a1, double b2, double a2, double b1) {
+  const double bound = 6 * kEps * (std::abs(a1 * b2) + std::abs(a2 * b1));
+  const bool lost = (a1 != 0 && b2 != 0 && std::abs(a1 * b2) < kUnderflow) ||
+                    (a2 != 0 && b1 != 0 && std::abs(a2 * b1) < kUnderflow);
+  return lost ? std::numeric_limits<double>::infinity() : bound;
+}
+
+// Value and error bound of n·(x - p). Each term n_i (x_i - p_i) adds eps for the difference, eps
+// for the product, 2 eps for the two sums: `error` holds E_i + 5 eps |n_i| for all of that.
+struct Filtered {
+  double value, bound;
+};
+Filtered filtered(const Plane& plane, const Vec3& x) {
+  const Vec3 d = x - plane.exact.p;
+  const double bound = std::abs(d.x) * plane.error.x + std::abs(d.y) * plane.error.y +
+                       std::abs(d.z) * plane.error.z;
+  return {dot(plane.normal, d), bound};
+}
+
+// A decision the filter may take, or 0 when it may not (NaN and infinity included).
+int decided(double value, double bound) {
+  if (value > bound && value > kUnderflow) return 1;
+  if (value < -bound && value < -kUnderflow) return -1;
+  return 0;
+}
+
+}  // namespace
+
+Plane make_plane(const PlaneDefinition& definition) {
+  const Vec3 u = definition.u1 - definition.u0;
+  const Vec3 v = definition.v1 - definition.v0;
+  Plane plane{definition, cross(u, v), {}};
+  const Vec3 e{component_error(u.y, v.z, u.z, v.y), component_error(u.z, v.x, u.x, v.z),
+               component_error(u.x, v.y, u.y, v.x)};
+  plane.error = {e.x + 5 * kEps * std::abs(plane.normal.x),
+                 e.y + 5 * kEps * std::abs(plane.normal.y),
+                 e.z + 5 * kEps * std::abs(plane.normal.z)};
+  return plane;
+}
+
+Plane plane_through(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return make_plane({a, a, b, a, c});
+}
+
+Plane plane_with_normal(const Vec3& p, const Vec3& n) {
+  // Two directions whose cross product is a positive multiple of n.
+  const Vec3 zero{};
+  if (n.x != 0) {
+    const double s = n.x > 0 ? 1 : -1;
+    return make_plane({p, zero, {-n.y, n.x, 0}, zero, {-n.z * s, 0, n.x * s}});
+  }
+  if (n.y != 0) {
+    const double s = n.y > 0 ? 1 : -1;
+    return make_plane({p, zero, {0, -n.z, n.y}, zero, {n.y * s, 0, 0}});
+  }
+  return make_plane({p, zero, {n.z, 0, 0}, zero, {0, 1, 0}});
+}
+
+Plane axis_plane(int axis, double position) {
+  Vec3 p{}, n{};
+  (axis == 0 ? p.x : axis == 1 ? p.y : p.z) = position;
+  (axis == 0 ? n.x : axis == 1 ? n.y : n.z) = 1;
+  return plane_with_normal(p, n);
+}
+
+Plane reversed(const Plane& plane) {
+  const PlaneDefinition& d = plane.exact;
+  return make_plane({d.p, d.v0, d.v1, d.u0, d.u1});
+}
+
+ExactVec exact_normal(const Plane& plane) {
+  const PlaneDefinition& d = plane.exact;
+  return cross(convert<Exact>(d.u1) - convert<Exact>(d.u0),
+               convert<Exact>(d.v1) - convert<Exact>(d.v0));
+}
+
+int side(const Plane& plane, const Vec3& point) {
+  const Filtered f = filtered(plane, point);
+  if (const int s = decided(f.value, f.bound)) return s;
+  if (point == plane.exact.p) return 0;
+  ++fallbacks;
+  return sign(exact_value(plane, convert<Exact>(point)));
+}
+
+int side(const Plane& plane, const ExactVec& point) {
+  ++fallbacks;
+  return sign(exact_value(plane, point));
+}
+
+int side(const Plane& plane, const Vec3& rounded, const ExactVec& exact) {
+  const Filtered f = filtered(plane, rounded);
+  const double slack = 2 * kEps *
+                       (std::abs(plane.normal.x * rounded.x) + std::abs(plane.normal.y * rounded.y) +
+                        std::abs(plane.normal.z * rounded.z));
+  if (const int s = decided(f.value, f.bound + slack)) return s;
+  ++fallbacks;
+  return sign(exact_value(plane, exact));
+}
+
+int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return side(plane_through(a, b, c), d);
+}
+
+bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Plane plane = plane_through(a, b, c);
+  const Vec3 n = plane.normal, e = plane.error;
+  if (std::abs(n.x) > e.x * 2 + kUnderflow || std::abs(n.y) > e.y * 2 + kUnderflow ||
+      std::abs(n.z) > e.z * 2 + kUnderflow)
+    return false;
+  ++fallbacks;
+  const ExactVec exact = exact_normal(plane);
+  return sgn(exact.x) == 0 && sgn(exact.y) == 0 && sgn(exact.z) == 0;
+}
+
+std::uint64_t exact_fallbacks() { return fallbacks; }
+
+}  // namespace cigsim
