@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The six stages at the functional level, assembled: a viewpoint goes in, a picture comes out.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "models/boundary/transactions.hpp"
+#include "models/database/database.hpp"
+
+namespace cigsim {
+
+enum class NumberType { kFloat, kDouble, kExact };
+enum class PriorityMethod {
+  kCounters,  ///< Stump 1986: a counter per object over TRUE/FALSE pairs
+  kSoMatrix   ///< Levine 1975, ch. VI.E: the separating-object bit matrix
+};
+enum class ResolverMethod {
+  kCoverage,   ///< faces in priority order against a coverage mask a line: same spans, less work
+  kActiveList  ///< the machine's own: crossings in element order and a list of active faces
+};
+
+struct MachineOptions {
+  NumberType number = NumberType::kDouble;
+  PriorityMethod priority = PriorityMethod::kCounters;
+  ResolverMethod resolver = ResolverMethod::kCoverage;
+  Raster raster;
+};
+
+/// Host milliseconds a stage took.
+struct StageTimes {
+  double frame_calculator = 0, geometry_processor = 0, priority_processor = 0, edge_orderer = 0,
+         priority_resolver = 0, video_processor = 0;
+};
+
+struct FrameStats {
+  double host_ms = 0;  ///< all stages, without file output
+  StageTimes stages;
+  std::uint64_t active_items = 0, faces = 0, edges = 0, crossings = 0, spans = 0;
+  std::uint32_t faults = 0;       ///< listability faults
+  std::uint64_t exact_tests = 0;  ///< side tests redone in rational arithmetic
+  bool certified = false;         ///< every decision was exact
+};
+
+/// Keeps its working memory from frame to frame. One thread.
+class FunctionalMachine {
+ public:
+  /// The database must outlive the machine. Throws std::invalid_argument for a raster outside
+  /// 1 x 1 .. 16384 x 16384.
+  FunctionalMachine(const Database& database, const MachineOptions& options);
+  ~FunctionalMachine();
+  FunctionalMachine(FunctionalMachine&&) noexcept;
+
+  /// Computes one frame. `frame` places the moving models. The picture is valid until the next call.
+  const Picture& compute(const Viewpoint& viewpoint, double frame);
+  const FrameStats& stats() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The attitude that looks from `eye` to `target`, without roll. Looking straight up or down keeps
+/// heading 0. Throws std::invalid_argument when the two coincide.
+Placement look_at(const Vec3& eye, const Vec3& target);
+
+}  // namespace cigsim
