@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace cigsim {
 namespace {
@@ -27,6 +28,36 @@ double component_error(double a1, double b2, double a2, double b1) {
   const bool lost = (a1 != 0 && b2 != 0 && std::abs(a1 * b2) < kUnderflow) ||
                     (a2 != 0 && b1 != 0 && std::abs(a2 * b1) < kUnderflow);
   return lost ? std::numeric_limits<double>::infinity() : bound;
+}
+
+// Scenes on a grid (all coordinates whole multiples of 2^-16 and below 2^22) are decided in 128-bit
+// whole numbers: differences below 2^40, the normal below 2^81, the value below 2^124.
+constexpr double kGrid = 0x1p16, kGridLimit = 0x1p38;
+
+bool to_grid(const Vec3& v, std::int64_t (&out)[3]) {
+  const double c[3] = {v.x * kGrid, v.y * kGrid, v.z * kGrid};
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(c[i]) < kGridLimit)) return false;
+    out[i] = static_cast<std::int64_t>(c[i]);
+    if (static_cast<double>(out[i]) != c[i]) return false;
+  }
+  return true;
+}
+
+// Sign of the value on the grid, or nothing when a point is off the grid.
+std::optional<int> grid_side(const PlaneDefinition& d, const Vec3& x) {
+  std::int64_t p[3], u0[3], u1[3], v0[3], v1[3], q[3];
+  if (!to_grid(x, q) || !to_grid(d.p, p) || !to_grid(d.u0, u0) || !to_grid(d.u1, u1) ||
+      !to_grid(d.v0, v0) || !to_grid(d.v1, v1))
+    return std::nullopt;
+  __int128 sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const __int128 n = static_cast<__int128>(u1[j] - u0[j]) * (v1[k] - v0[k]) -
+                       static_cast<__int128>(u1[k] - u0[k]) * (v1[j] - v0[j]);
+    sum += n * (q[i] - p[i]);
+  }
+  return sum > 0 ? 1 : sum < 0 ? -1 : 0;
 }
 
 // Value and error bound of n·(x - p). Each term n_i (x_i - p_i) adds eps for the difference, eps
@@ -101,7 +132,7 @@ ExactVec exact_normal(const Plane& plane) {
 int side(const Plane& plane, const Vec3& point) {
   const Filtered f = filtered(plane, point);
   if (const int s = decided(f.value, f.bound)) return s;
-  if (point == plane.exact.p) return 0;
+  if (const auto s = grid_side(plane.exact, point)) return *s;
   ++fallbacks;
   return sign(exact_value(plane, convert<Exact>(point)));
 }

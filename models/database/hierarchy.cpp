@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "models/database/hierarchy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cigsim {
+namespace {
+
+constexpr double kGrow = 1 + 0x1p-48;
+
+double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+struct Box {
+  Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+           std::numeric_limits<double>::infinity()};
+  Vec3 high = low * -1.0;
+
+  void add(const Vec3& p, double r) {
+    low = {std::min(low.x, p.x - r), std::min(low.y, p.y - r), std::min(low.z, p.z - r)};
+    high = {std::max(high.x, p.x + r), std::max(high.y, p.y + r), std::max(high.z, p.z + r)};
+  }
+  Vec3 centre() const { return low * 0.5 + high * 0.5; }
+};
+
+double distance(const Vec3& a, const Vec3& b) {
+  const Vec3 d = a - b;
+  return std::hypot(d.x, d.y, d.z);
+}
+
+// Covers what rounding the centre and the distances can take away.
+double grown(double radius, const Vec3& centre) {
+  return radius * kGrow + largest(centre) * 0x1p-50;
+}
+
+class Builder {
+ public:
+  Builder(const Partition& partition, const FaceSet& set) : tree_(partition), set_(set) {}
+
+  PriorityHierarchy run() {
+    if (tree_.leaves.empty()) return {};
+    count_leaves();
+    std::vector<std::int32_t> roots{tree_.nodes.empty() ? -1 : 0};
+    // Breadth first: a group's subgroups get the next free numbers, in member order.
+    for (std::size_t at = 0; at < roots.size(); ++at) make_group(roots[at], roots);
+    out_.planes = tree_.planes;
+    place_spheres();
+    return std::move(out_);
+  }
+
+ private:
+  void count_leaves() {
+    // Children come after their parents, so one pass from the end counts.
+    leaves_.assign(tree_.nodes.size(), 0);
+    for (std::size_t n = tree_.nodes.size(); n-- > 0;)
+      leaves_[n] = count(tree_.nodes[n].true_child) + count(tree_.nodes[n].false_child);
+  }
+  std::uint64_t count(std::int32_t child) const {
+    return child < 0 ? 1 : leaves_[static_cast<std::size_t>(child)];
+  }
+
+  // A subtree that is to be a member, and where in the group it hangs.
+  struct Open {
+    std::int32_t child;
+    std::int32_t parent;  // node within the group
+    bool true_side;
+  };
+
+  void make_group(std::int32_t root, std::vector<std::int32_t>& roots) {
+    Group group;
+    group.first_member = static_cast<std::uint32_t>(out_.members.size());
+    group.first_node = static_cast<std::uint32_t>(out_.nodes.size());
+    std::vector<Open> open{{root, -1, false}};
+    while (open.size() < kGroupCapacity) {
+      const auto widest = std::max_element(open.begin(), open.end(), [&](auto& a, auto& b) {
+        return count(a.child) < count(b.child);
+      });
+      if (widest->child < 0) break;
+      const Open parent = *widest;
+      const PartitionNode& source = tree_.nodes[static_cast<std::size_t>(parent.child)];
+      const auto node = static_cast<std::int32_t>(group.node_count++);
+      out_.nodes.push_back({source.plane, 0, 0, 0, 0});
+      attach(group, parent, node);
+      *widest = {source.true_child, node, true};
+      open.push_back({source.false_child, node, false});
+    }
+    group.member_count = static_cast<std::uint32_t>(open.size());
+    for (std::size_t m = 0; m < open.size(); ++m) {
+      attach(group, open[m], ~static_cast<std::int32_t>(m));
+      Member member;
+      member.is_group = open[m].child >= 0;
+      if (member.is_group) {
+        member.index = static_cast<std::uint32_t>(roots.size());
+        roots.push_back(open[m].child);
+      } else {
+        member.index = static_cast<std::uint32_t>(~open[m].child);
+      }
+      out_.members.push_back(member);
+    }
+    fill_masks(group);
+    out_.groups.push_back(group);
+  }
+
+  void attach(const Group& group, const Open& at, std::int32_t child) {
+    if (at.parent < 0) return;
+    SeparationNode& node = out_.nodes[group.first_node + static_cast<std::uint32_t>(at.parent)];
+    (at.true_side ? node.true_child : node.false_child) = child;
+  }
+
+  void fill_masks(const Group& group) {
+    const auto mask = [&](std::int32_t child) {
+      if (child < 0) return std::uint64_t{1} << ~child;
+      const SeparationNode& node = out_.nodes[group.first_node + static_cast<std::uint32_t>(child)];
+      return node.true_members | node.false_members;
+    };
+    for (std::uint32_t n = group.node_count; n-- > 0;) {
+      SeparationNode& node = out_.nodes[group.first_node + n];
+      node.true_members = mask(node.true_child);
+      node.false_members = mask(node.false_child);
+    }
+  }
+
+  void place_spheres() {
+    // Subgroups come after their groups, so going backwards finds their spheres ready.
+    std::vector<Sphere> of_group(out_.groups.size()), spheres;
+    for (std::size_t g = out_.groups.size(); g-- > 0;) {
+      const Group& group = out_.groups[g];
+      spheres.clear();
+      for (std::uint32_t m = 0; m < group.member_count; ++m) {
+        Member& member = out_.members[group.first_member + m];
+        member.sphere = member.is_group ? of_group[member.index] : set_.items[member.index].sphere;
+        spheres.push_back(member.sphere);
+      }
+      of_group[g] = enclosing(spheres);
+    }
+  }
+
+  const Partition& tree_;
+  const FaceSet& set_;
+  std::vector<std::uint64_t> leaves_;
+  PriorityHierarchy out_;
+};
+
+}  // namespace
+
+PriorityHierarchy build_hierarchy(const Partition& partition, const FaceSet& set) {
+  return Builder(partition, set).run();
+}
+
+Sphere enclosing(const std::vector<Sphere>& spheres) {
+  Box box;
+  for (const Sphere& s : spheres) box.add(s.centre, s.radius);
+  Sphere out{box.centre(), 0};
+  for (const Sphere& s : spheres)
+    out.radius = std::max(out.radius, distance(s.centre, out.centre) + s.radius);
+  out.radius = grown(out.radius, out.centre);
+  return out;
+}
+
+Sphere enclosing(std::span<const Vec3> points) {
+  Box box;
+  for (const Vec3& p : points) box.add(p, 0);
+  Sphere out{box.centre(), 0};
+  for (const Vec3& p : points) out.radius = std::max(out.radius, distance(p, out.centre));
+  out.radius = grown(out.radius, out.centre);
+  return out;
+}
+
+std::uint64_t depth(const PriorityHierarchy& hierarchy) {
+  std::vector<std::uint64_t> group_depth(hierarchy.groups.size(), 0);
+  std::uint64_t deepest = 0;
+  std::vector<std::uint64_t> node_depth;
+  for (std::size_t g = 0; g < hierarchy.groups.size(); ++g) {
+    const Group& group = hierarchy.groups[g];
+    node_depth.assign(group.node_count, group_depth[g] + 1);
+    for (std::uint32_t n = 0; n < group.node_count; ++n) {
+      const SeparationNode& node = hierarchy.nodes[group.first_node + n];
+      deepest = std::max(deepest, node_depth[n]);
+      for (const std::int32_t child : {node.true_child, node.false_child}) {
+        if (child >= 0) {
+          node_depth[static_cast<std::size_t>(child)] = node_depth[n] + 1;
+          continue;
+        }
+        const Member& member =
+            hierarchy.members[group.first_member + static_cast<std::uint32_t>(~child)];
+        if (member.is_group) group_depth[member.index] = node_depth[n];
+      }
+    }
+  }
+  return deepest;
+}
+
+}  // namespace cigsim

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+#include "models/database/partition.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "models/database/separation.hpp"
+#include "models/database/sweep.hpp"
+
+namespace cigsim {
+namespace {
+
+using ItemList = std::vector<std::uint32_t>;
+
+// How many face planes are examined of a set; all of them when it has no more.
+constexpr std::size_t kFaceCandidates = 48;
+// Sets up to this size are also examined with planes between pairs of items.
+constexpr std::size_t kPairSetSize = 256;
+constexpr std::size_t kPairCandidates = 24;
+// A set up to this size takes a plane that cuts nothing even if it parts off a single item; larger
+// ones weigh it against cuts. Polygons of surfaces part one by one for ever, bodies seldom do.
+constexpr std::size_t kFreeBodies = 8192, kFreePolygons = 64;
+// What one cut counts against one item of imbalance.
+constexpr std::uint64_t kCutWeight = 8;
+
+// SplitMix64 (Steele, Lea, Flood 2014): the sampling is the same on every machine.
+class Sampler {
+ public:
+  explicit Sampler(std::uint64_t seed) : state_(seed) {}
+  std::size_t below(std::size_t n) {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return static_cast<std::size_t>((z ^ (z >> 31)) % n);
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+struct Counts {
+  std::uint64_t positive = 0, negative = 0, flat = 0, cut = 0;
+};
+
+struct Candidate {
+  Plane plane;
+  Counts counts;
+  bool of_face = false;
+
+  std::uint64_t imbalance() const {
+    const std::uint64_t p = counts.positive, n = counts.negative;
+    const std::uint64_t larger = std::max(p, n), smaller = std::min(p, n) + counts.flat;
+    return larger > smaller ? larger - smaller : smaller - larger;
+  }
+  std::uint64_t cost() const { return kCutWeight * counts.cut + imbalance(); }
+  bool free() const { return counts.cut == 0; }
+};
+
+// Where a subtree hangs.
+struct Slot {
+  std::int32_t node = -1;  // -1: the root
+  bool true_side = false;
+};
+
+struct Task {
+  ItemList items;
+  Slot slot;
+};
+
+class Partitioner {
+ public:
+  Partitioner(WorkSet& set, const std::function<void(std::uint64_t, std::uint64_t)>& progress)
+      : set_(set), progress_(progress), sampler_(set.items.size()) {}
+
+  Partition run() {
+    ItemList all(set_.items.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+    total_ = all.size();
+    if (!all.empty()) tasks_.push_back({std::move(all), {}});
+    while (!tasks_.empty()) {
+      Task task = std::move(tasks_.back());
+      tasks_.pop_back();
+      step(std::move(task));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void step(Task task) {
+    if (task.items.size() == 1) {
+      leaf(std::move(task.items), task.slot);
+      return;
+    }
+    Sweep sweep = best_sweep(set_, task.items);
+    if (sweep.starts.size() > 1) {
+      split_by_sweep(sweep, task.slot);
+      return;
+    }
+    if (const auto candidate = choose(task.items))
+      split(*candidate, task);
+    else
+      explode_or_sheet(std::move(task));
+  }
+
+  void attach(Slot slot, std::int32_t child) {
+    if (slot.node < 0) return;
+    PartitionNode& node = result_.nodes[static_cast<std::size_t>(slot.node)];
+    (slot.true_side ? node.true_child : node.false_child) = child;
+  }
+
+  std::int32_t node(const Plane& plane, Slot slot) {
+    const auto index = static_cast<std::int32_t>(result_.nodes.size());
+    result_.planes.push_back(plane);
+    result_.nodes.push_back({static_cast<std::uint32_t>(result_.planes.size() - 1), 0, 0});
+    attach(slot, index);
+    return index;
+  }
+
+  void leaf(ItemList items, Slot slot) {
+    if (items.size() > 1) {
+      std::sort(items.begin(), items.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return order_of(a) < order_of(b);
+      });
+      ++result_.sheets;
+    }
+    done_ += items.size();
+    attach(slot, ~static_cast<std::int32_t>(result_.leaves.size()));
+    result_.leaves.push_back(std::move(items));
+    if (progress_) progress_(done_, total_);
+  }
+
+  std::uint32_t order_of(std::uint32_t item) const {
+    return set_.polygons[set_.items[item].first_polygon].origin.order;
+  }
+
+  // A balanced tree over the runs of a sweep.
+  void split_by_sweep(const Sweep& sweep, Slot slot) {
+    struct Range {
+      std::size_t first, last;  // runs
+      Slot slot;
+    };
+    const auto start = [&](std::size_t run) {
+      return run < sweep.starts.size() ? sweep.starts[run] : sweep.order.size();
+    };
+    std::vector<Range> ranges{{0, sweep.starts.size(), slot}};
+    while (!ranges.empty()) {
+      const Range range = ranges.back();
+      ranges.pop_back();
+      if (range.last - range.first == 1) {
+        tasks_.push_back(
+            {ItemList(sweep.order.begin() + static_cast<std::ptrdiff_t>(start(range.first)),
+                      sweep.order.begin() + static_cast<std::ptrdiff_t>(start(range.last))),
+             range.slot});
+        continue;
+      }
+      const std::size_t middle = (start(range.first) + start(range.last)) / 2;
+      const auto above = std::lower_bound(
+          sweep.starts.begin() + static_cast<std::ptrdiff_t>(range.first) + 1,
+          sweep.starts.begin() + static_cast<std::ptrdiff_t>(range.last) - 1, middle);
+      const auto cut = static_cast<std::size_t>(above - sweep.starts.begin());
+      const std::int32_t at = node(axis_plane(sweep.axis, sweep.positions[cut - 1]), range.slot);
+      ranges.push_back({range.first, cut, {at, false}});
+      ranges.push_back({cut, range.last, {at, true}});
+    }
+  }
+
+  std::optional<Candidate> evaluate(const Plane& plane, const ItemList& items, bool of_face,
+                                    const std::optional<Candidate>& best) const {
+    Candidate c{plane, {}, of_face};
+    for (const std::uint32_t i : items) {
+      switch (set_.classify(plane, set_.items[i])) {
+        case 1: ++c.counts.positive; break;
+        case -1: ++c.counts.negative; break;
+        case 0: ++c.counts.flat; break;
+        default: ++c.counts.cut;
+      }
+      if (best && best->free() && c.counts.cut > 0 && accepts_free(*best, items.size()))
+        return std::nullopt;
+      if (best && kCutWeight * c.counts.cut > best->cost()) return std::nullopt;
+    }
+    const Counts& n = c.counts;
+    // A face's plane makes progress when it parts the set at all: nothing lies across it again.
+    const int sides = (n.positive + n.cut > 0) + (n.negative + n.cut > 0) + (n.flat > 0);
+    const bool progress = of_face ? sides > 1 : n.positive > 0 && n.negative > 0;
+    if (!progress) return std::nullopt;
+    return c;
+  }
+
+  bool accepts_free(const Candidate& c, std::size_t size) const {
+    return c.free() && (size <= free_size_ || c.imbalance() < size - size / 32);
+  }
+
+  bool better(const Candidate& a, const Candidate& b, std::size_t size) const {
+    const bool fa = accepts_free(a, size), fb = accepts_free(b, size);
+    if (fa != fb) return fa;
+    return a.cost() < b.cost();
+  }
+
+  std::optional<Candidate> choose(const ItemList& items) {
+    const auto singles = std::count_if(items.begin(), items.end(), [&](std::uint32_t i) {
+      return set_.items[i].polygon_count == 1;
+    });
+    free_size_ = 2 * static_cast<std::size_t>(singles) > items.size() ? kFreePolygons : kFreeBodies;
+    std::optional<Candidate> best;
+    const auto consider = [&](const Plane& plane, bool of_face) {
+      auto c = evaluate(plane, items, of_face, best);
+      if (c && (!best || better(*c, *best, items.size()))) best = std::move(c);
+    };
+    consider_faces(items, consider);
+    if (best && accepts_free(*best, items.size())) return best;
+    consider_pairs(items, consider);
+    if (best && accepts_free(*best, items.size())) return best;
+    if (items.size() > 2) consider_medians(items, consider);
+    return best;
+  }
+
+  template <class Consider>
+  void consider_faces(const ItemList& items, Consider consider) {
+    std::size_t polygons = 0;
+    for (const std::uint32_t i : items) polygons += set_.items[i].polygon_count;
+    if (polygons <= kFaceCandidates) {
+      for (const std::uint32_t i : items)
+        for (std::uint32_t p = 0; p < set_.items[i].polygon_count; ++p)
+          consider(set_.planes[set_.polygons[set_.items[i].first_polygon + p].plane], true);
+      return;
+    }
+    for (std::size_t k = 0; k < kFaceCandidates; ++k) {
+      const WorkItem& item = set_.items[items[sampler_.below(items.size())]];
+      const WorkPolygon& polygon =
+          set_.polygons[item.first_polygon + sampler_.below(item.polygon_count)];
+      consider(set_.planes[polygon.plane], true);
+    }
+  }
+
+  template <class Consider>
+  void consider_pairs(const ItemList& items, Consider consider) {
+    const std::size_t n = items.size();
+    if (n > kPairSetSize) return;
+    const auto pair = [&](std::uint32_t a, std::uint32_t b) {
+      if (const auto plane = separating_plane(set_, set_.items[a], set_.items[b]))
+        consider(*plane, false);
+    };
+    if (n * (n - 1) / 2 <= kPairCandidates) {
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j) pair(items[i], items[j]);
+      return;
+    }
+    for (std::size_t k = 0; k < kPairCandidates; ++k) {
+      const std::size_t i = sampler_.below(n), j = sampler_.below(n - 1);
+      pair(items[i], items[j < i ? j : j + 1]);
+    }
+  }
+
+  // Planes across the axes at the ends of the middle items.
+  template <class Consider>
+  void consider_medians(const ItemList& items, Consider consider) {
+    std::vector<double> ends;
+    for (int axis = 0; axis < 3; ++axis) {
+      ends.clear();
+      for (const std::uint32_t i : items) {
+        ends.push_back(set_.items[i].low[axis]);
+        ends.push_back(set_.items[i].high[axis]);
+      }
+      for (const std::size_t share : {2, 3, 4, 5, 6}) {
+        const auto at = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() * share / 8);
+        std::nth_element(ends.begin(), at, ends.end());
+        consider(axis_plane(axis, *at), false);
+      }
+    }
+  }
+
+  void split(const Candidate& chosen, const Task& task) {
+    ItemList positive, flat, negative;
+    for (const std::uint32_t i : task.items) {
+      switch (set_.classify(chosen.plane, set_.items[i])) {
+        case 1: positive.push_back(i); break;
+        case -1: negative.push_back(i); break;
+        case 0: flat.push_back(i); break;
+        default: {
+          const auto [p, n] = set_.cut(chosen.plane, i);
+          positive.push_back(p);
+          negative.push_back(n);
+          ++result_.cuts;
+          ++total_;
+        }
+      }
+    }
+    // Polygons in the plane come between the two sides; the same plane parts them from both.
+    Slot slot = task.slot;
+    if (!positive.empty() && !(flat.empty() && negative.empty())) {
+      const std::int32_t at = node(chosen.plane, slot);
+      tasks_.push_back({std::move(positive), {at, true}});
+      slot = {at, false};
+    } else if (!positive.empty()) {
+      tasks_.push_back({std::move(positive), slot});
+      return;
+    }
+    if (!flat.empty() && !negative.empty()) {
+      const std::int32_t at = node(chosen.plane, slot);
+      leaf_or_task(std::move(flat), {at, true});
+      tasks_.push_back({std::move(negative), {at, false}});
+    } else if (!flat.empty()) {
+      leaf_or_task(std::move(flat), slot);
+    } else {
+      tasks_.push_back({std::move(negative), slot});
+    }
+  }
+
+  // Coplanar polygons: a sheet in their fixed order, after gaps between them have been used.
+  void leaf_or_task(ItemList items, Slot slot) {
+    if (items.size() > 1 && best_sweep(set_, items).starts.size() > 1)
+      tasks_.push_back({std::move(items), slot});
+    else
+      leaf(std::move(items), slot);
+  }
+
+  // No plane parts the set: a body within another, say, or polygons all in one plane.
+  void explode_or_sheet(Task task) {
+    const auto most = std::max_element(
+        task.items.begin(), task.items.end(), [&](std::uint32_t a, std::uint32_t b) {
+          return set_.items[a].polygon_count < set_.items[b].polygon_count;
+        });
+    const std::uint32_t item = *most;
+    if (set_.items[item].polygon_count == 1) {
+      leaf(std::move(task.items), task.slot);
+      return;
+    }
+    task.items.erase(most);
+    for (const std::uint32_t single : set_.explode(item)) task.items.push_back(single);
+    total_ += set_.items[item].polygon_count - 1;
+    tasks_.push_back(std::move(task));
+  }
+
+  WorkSet& set_;
+  const std::function<void(std::uint64_t, std::uint64_t)>& progress_;
+  Sampler sampler_;
+  Partition result_;
+  std::vector<Task> tasks_;
+  std::size_t free_size_ = 0;
+  std::uint64_t done_ = 0, total_ = 0;
+};
+
+}  // namespace
+
+Partition partition(WorkSet& set,
+                    const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+  return Partitioner(set, progress).run();
+}
+
+}  // namespace cigsim

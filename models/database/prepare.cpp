@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "models/database/prepare.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "models/database/hierarchy.hpp"
+#include "models/database/partition.hpp"
+#include "models/database/shade.hpp"
+#include "models/database/surface.hpp"
+
+namespace cigsim {
+namespace {
+
+struct Preparation {
+  const Environment& environment;
+  std::optional<Sun> sun;
+  Notices notices;
+  PreparationReport report;
+};
+
+Colour face_colour(const Preparation& p, std::uint32_t object, const Face& face,
+                   const Plane& plane) {
+  const Colour colour = face.colour.value_or(palette_colour(object + 1));
+  // Without a sun only invented colours are shaded, so that bodies can be made out.
+  if (!p.sun && face.colour) return colour;
+  return shaded(colour, plane.normal, towards(p.sun.value_or(Sun{})));
+}
+
+// Adds an object's faces to the working set: one item when it is convex, else an item a face.
+void add_object(Preparation& p, WorkSet& set, std::uint32_t object, std::uint32_t& order) {
+  const Surface surface = make_surface(p.environment.objects[object], p.notices);
+  p.report.convex_objects += surface.convex;
+  p.report.unclosed_objects += !surface.closed && !surface.faces.empty();
+  const auto base = static_cast<std::uint32_t>(set.vertex_count());
+  for (const Vec3& v : surface.vertices) set.add_vertex(v);
+  Loop corners;
+  for (const SurfaceFace& face : surface.faces) {
+    corners = face.loop;
+    for (std::uint32_t& c : corners) c += base;
+    const Face& source = p.environment.objects[object].faces[face.source];
+    set.add_polygon(corners, set.add_plane(face.plane),
+                    {object + 1, order++, face_colour(p, object, source, face.plane),
+                     !surface.closed});
+    if (!surface.convex) set.add_item(1);
+  }
+  if (surface.convex) set.add_item(static_cast<std::uint32_t>(surface.faces.size()));
+}
+
+// The items of one leaf become one item of the database.
+void add_leaf(const WorkSet& work, const std::vector<std::uint32_t>& leaf, FaceSet& out,
+              std::vector<std::uint32_t>& local, std::vector<std::uint32_t>& plane_of) {
+  Item item;
+  item.first_face = static_cast<std::uint32_t>(out.faces.size());
+  item.first_vertex = static_cast<std::uint32_t>(out.vertices.size());
+  std::vector<std::uint32_t> used;
+  for (const std::uint32_t work_item : leaf) {
+    const WorkItem& source = work.items[work_item];
+    for (std::uint32_t p = 0; p < source.polygon_count; ++p) {
+      const WorkPolygon& polygon = work.polygons[source.first_polygon + p];
+      PreparedFace face;
+      face.first_corner = static_cast<std::uint32_t>(out.corners.size());
+      face.corner_count = polygon.corner_count;
+      if (plane_of[polygon.plane] == kNone) {
+        plane_of[polygon.plane] = static_cast<std::uint32_t>(out.planes.size());
+        out.planes.push_back(work.planes[polygon.plane]);
+      }
+      face.plane = plane_of[polygon.plane];
+      face.object = polygon.origin.object;
+      face.colour = polygon.origin.colour;
+      face.two_sided = polygon.origin.two_sided;
+      for (std::uint32_t c = 0; c < polygon.corner_count; ++c) {
+        const std::uint32_t v = work.corners(polygon)[c];
+        if (local[v] == kNone) {
+          local[v] = static_cast<std::uint32_t>(out.vertices.size()) - item.first_vertex;
+          used.push_back(v);
+          if (const ExactVec* exact = work.exact(v))
+            out.cut_vertices.push_back({static_cast<std::uint32_t>(out.vertices.size()), *exact});
+          out.vertices.push_back(work.vertex(v));
+        }
+        out.corners.push_back(local[v]);
+      }
+      out.faces.push_back(face);
+    }
+  }
+  for (const std::uint32_t v : used) local[v] = kNone;
+  item.face_count = static_cast<std::uint32_t>(out.faces.size()) - item.first_face;
+  item.vertex_count = static_cast<std::uint32_t>(out.vertices.size()) - item.first_vertex;
+  item.sphere =
+      enclosing(std::span<const Vec3>(out.vertices).subspan(item.first_vertex, item.vertex_count));
+  out.items.push_back(item);
+}
+
+PreparedSystem prepare_system(Preparation& p, std::uint32_t system,
+                              const std::function<void(double)>& progress) {
+  const CoordinateSystem& source = p.environment.systems[system];
+  PreparedSystem out;
+  out.name = source.name;
+  out.placement = source.placement;
+  out.motion = source.motion;
+  WorkSet work;
+  std::uint32_t order = 0;
+  for (std::uint32_t o = 0; o < p.environment.objects.size(); ++o)
+    if (p.environment.models[p.environment.objects[o].model].system == system)
+      add_object(p, work, o, order);
+  const Partition tree = partition(work, [&](std::uint64_t done, std::uint64_t all) {
+    if (progress && done % 256 == 0) progress(static_cast<double>(done) / all);
+  });
+  std::vector<std::uint32_t> local(work.vertex_count(), kNone), plane_of(work.planes.size(), kNone);
+  for (const std::vector<std::uint32_t>& leaf : tree.leaves) {
+    p.report.pieces += leaf.size();
+    add_leaf(work, leaf, out.set, local, plane_of);
+  }
+  out.hierarchy = build_hierarchy(tree, out.set);
+  std::vector<Sphere> spheres;
+  for (const Item& item : out.set.items) spheres.push_back(item.sphere);
+  if (!spheres.empty()) out.sphere = enclosing(spheres);
+
+  p.report.cuts += tree.cuts;
+  p.report.items += out.set.items.size();
+  p.report.faces += out.set.faces.size();
+  p.report.vertices += out.set.vertices.size();
+  p.report.planes += out.hierarchy.planes.size();
+  p.report.groups += out.hierarchy.groups.size();
+  p.report.depth = std::max(p.report.depth, depth(out.hierarchy));
+  for (const Group& group : out.hierarchy.groups)
+    p.report.pairs += std::uint64_t{group.member_count} * (group.member_count - 1) / 2;
+  return out;
+}
+
+// Ground faces in one item, the last drawn first, as convex faces that are seen from both sides.
+FaceSet prepare_ground(Preparation& p) {
+  WorkSet work;
+  std::vector<std::uint32_t> leaf;
+  const auto& ground = p.environment.ground;
+  for (std::size_t g = ground.size(); g-- > 0;) {
+    Object object;
+    object.vertices = ground[g].vertices;
+    Face face;
+    for (std::uint32_t v = 0; v < object.vertices.size(); ++v) face.vertices.push_back(v);
+    object.faces.push_back(face);
+    Notices unclosed;
+    const Surface surface = make_surface(object, unclosed);
+    for (const Notice& notice : unclosed.list())
+      if (!notice.what.starts_with("object")) p.notices.add("ground: " + notice.what, notice.count);
+    const auto base = static_cast<std::uint32_t>(work.vertex_count());
+    for (const Vec3& v : surface.vertices) work.add_vertex(v);
+    for (const SurfaceFace& f : surface.faces) {
+      Loop corners = f.loop;
+      for (std::uint32_t& c : corners) c += base;
+      const auto number =
+          static_cast<std::uint32_t>(p.environment.objects.size() + g + 1);
+      work.add_polygon(corners, work.add_plane(f.plane), {number, 0, ground[g].colour, true});
+      leaf.push_back(work.add_item(1));
+    }
+  }
+  FaceSet out;
+  if (leaf.empty()) return out;
+  std::vector<std::uint32_t> local(work.vertex_count(), kNone), plane_of(work.planes.size(), kNone);
+  add_leaf(work, leaf, out, local, plane_of);
+  return out;
+}
+
+// From the south-east and above, so that everything is in view.
+DefaultView sensible_view(const Database& database) {
+  std::vector<Sphere> spheres;
+  for (const PreparedSystem& system : database.systems)
+    if (!system.set.items.empty() && system.motion.empty()) {
+      Sphere s = system.sphere;
+      s.centre = s.centre + system.placement.position;
+      spheres.push_back(s);
+    }
+  if (spheres.empty())
+    for (const Item& item : database.ground.items) spheres.push_back(item.sphere);
+  const Sphere all = spheres.empty() ? Sphere{{0, 0, 0}, 1} : enclosing(spheres);
+  const double radius = all.radius > 0 ? all.radius : 1;
+  DefaultView view;
+  view.fov = 50;
+  // 25 degrees above the horizon, at the distance from which the sphere fills the field of view.
+  const double distance = radius / std::sin(25 * 3.14159265358979323846 / 180);
+  const double level = distance * 0.90630778703665, rise = distance * 0.42261826174070;
+  view.eye.position = all.centre + Vec3{level * 0.5, -level * 0.86602540378444, rise};
+  view.eye.heading = 330;
+  view.eye.pitch = -25;
+  return view;
+}
+
+}  // namespace
+
+Database prepare(const Environment& environment, const PrepareOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Preparation p{environment, options.sun ? options.sun : environment.sun, {}, {}};
+  Database database;
+  database.name = environment.name;
+  database.background = environment.background;
+  database.object_count = static_cast<std::uint32_t>(environment.objects.size());
+  for (const Object& object : environment.objects) database.object_names.push_back(object.name);
+  for (std::uint32_t s = 0; s < environment.systems.size(); ++s)
+    database.systems.push_back(prepare_system(p, s, options.progress));
+  database.ground = prepare_ground(p);
+  database.view = environment.view.value_or(sensible_view(database));
+  p.report.objects = environment.objects.size();
+  p.report.notices = p.notices.list();
+  p.report.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  database.report = std::move(p.report);
+  return database;
+}
+
+}  // namespace cigsim

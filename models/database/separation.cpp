@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "models/database/separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cigsim {
+namespace {
+
+constexpr std::size_t kMostEdgePairs = 20000;
+constexpr int kMostHullSteps = 100;
+
+struct EdgeEnds {
+  std::uint32_t from, to;
+};
+
+std::vector<EdgeEnds> edges_of(const WorkSet& set, const WorkItem& item) {
+  std::vector<EdgeEnds> edges;
+  for (std::uint32_t p = item.first_polygon; p < item.first_polygon + item.polygon_count; ++p) {
+    const WorkPolygon& polygon = set.polygons[p];
+    for (std::uint32_t c = 0; c < polygon.corner_count; ++c) {
+      const std::uint32_t a = set.corners(polygon)[c],
+                          b = set.corners(polygon)[(c + 1) % polygon.corner_count];
+      edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const EdgeEnds& x, const EdgeEnds& y) {
+    return x.from != y.from ? x.from < y.from : x.to < y.to;
+  });
+  edges.erase(std::unique(edges.begin(), edges.end(),
+                          [](const EdgeEnds& x, const EdgeEnds& y) {
+                            return x.from == y.from && x.to == y.to;
+                          }),
+              edges.end());
+  return edges;
+}
+
+std::vector<std::uint32_t> vertices_of(const std::vector<EdgeEnds>& edges) {
+  std::vector<std::uint32_t> list;
+  for (const EdgeEnds& e : edges) {
+    list.push_back(e.from);
+    list.push_back(e.to);
+  }
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
+// The plane, turned so that a is on its positive side, when it separates.
+std::optional<Plane> if_separates(const WorkSet& set, const Plane& plane, const WorkItem& a,
+                                  const WorkItem& b) {
+  const int sa = set.classify(plane, a);
+  if (sa == 2) return std::nullopt;
+  const int sb = set.classify(plane, b);
+  if (sb == 2 || (sa == 0 && sb == 0) || sa * sb > 0) return std::nullopt;
+  return sa > 0 || (sa == 0 && sb < 0) ? plane : reversed(plane);
+}
+
+std::optional<Plane> by_faces(const WorkSet& set, const WorkItem& a, const WorkItem& b) {
+  for (const WorkItem* item : {&a, &b})
+    for (std::uint32_t p = item->first_polygon; p < item->first_polygon + item->polygon_count; ++p)
+      if (auto plane = if_separates(set, set.planes[set.polygons[p].plane], a, b)) return plane;
+  return std::nullopt;
+}
+
+std::optional<Plane> by_edges(const WorkSet& set, const std::vector<EdgeEnds>& ea,
+                              const std::vector<EdgeEnds>& eb, const WorkItem& a,
+                              const WorkItem& b) {
+  if (ea.size() * eb.size() > kMostEdgePairs) return std::nullopt;
+  const auto usable = [&](const EdgeEnds& e) { return !set.exact(e.from) && !set.exact(e.to); };
+  for (const EdgeEnds& x : ea) {
+    if (!usable(x)) continue;
+    for (const EdgeEnds& y : eb) {
+      if (!usable(y)) continue;
+      for (const std::uint32_t p : {x.from, y.from}) {
+        const Plane plane = make_plane({set.vertex(p), set.vertex(x.from), set.vertex(x.to),
+                                        set.vertex(y.from), set.vertex(y.to)});
+        if (plane.normal == Vec3{}) continue;
+        if (auto found = if_separates(set, plane, a, b)) return found;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Vec3 centre(const WorkSet& set, const std::vector<std::uint32_t>& list) {
+  Vec3 sum{};
+  for (const std::uint32_t v : list) sum = sum + set.vertex(v);
+  return sum * (1.0 / static_cast<double>(list.size()));
+}
+
+std::uint32_t extreme(const WorkSet& set, const std::vector<std::uint32_t>& list, const Vec3& n) {
+  return *std::max_element(list.begin(), list.end(), [&](std::uint32_t p, std::uint32_t q) {
+    return dot(n, set.vertex(p)) < dot(n, set.vertex(q));
+  });
+}
+
+// Walks towards the shortest vector between the hulls (Gilbert 1966) and tries the plane across it.
+std::optional<Plane> by_hulls(const WorkSet& set, const std::vector<std::uint32_t>& va,
+                              const std::vector<std::uint32_t>& vb, const WorkItem& a,
+                              const WorkItem& b) {
+  Vec3 gap = centre(set, va) - centre(set, vb);  // a point of hull a minus hull b
+  for (int step = 0; step < kMostHullSteps; ++step) {
+    const double length = std::max({std::abs(gap.x), std::abs(gap.y), std::abs(gap.z)});
+    if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+    const Vec3 n = gap * (1 / length);
+    const std::uint32_t low = extreme(set, va, n * -1.0), high = extreme(set, vb, n);
+    const Vec3 corner = set.vertex(low) - set.vertex(high);
+    if (dot(n, corner) > 0) {
+      const Vec3 middle = (set.vertex(low) + set.vertex(high)) * 0.5;
+      if (auto found = if_separates(set, plane_with_normal(middle, n), a, b)) return found;
+    }
+    const Vec3 along = corner - gap;
+    const double square = dot(along, along);
+    if (!(square > 0)) return std::nullopt;
+    const double t = std::clamp(-dot(gap, along) / square, 0.0, 1.0);
+    if (t == 0) return std::nullopt;
+    gap = gap + along * t;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Plane> separating_plane(const WorkSet& set, const WorkItem& a, const WorkItem& b) {
+  if (auto plane = by_faces(set, a, b)) return plane;
+  const std::vector<EdgeEnds> ea = edges_of(set, a), eb = edges_of(set, b);
+  if (auto plane = by_edges(set, ea, eb, a, b)) return plane;
+  return by_hulls(set, vertices_of(ea), vertices_of(eb), a, b);
+}
+
+}  // namespace cigsim

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "models/database/sweep.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace cigsim {
+namespace {
+
+struct Extent {
+  double low, high;
+  std::uint32_t item;
+};
+
+Sweep sweep(const std::vector<Extent>& sorted, int axis) {
+  Sweep result;
+  result.axis = axis;
+  double reach = -std::numeric_limits<double>::infinity();
+  double flat_at = reach;
+  std::size_t run = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const Extent& e = sorted[i];
+    // Items that lie in one plane across the axis stay together: that plane does not order them.
+    const bool both_flat = e.low == e.high && flat_at == e.low;
+    if (i == 0 || (e.low >= reach && !both_flat)) {
+      if (i > 0) {
+        result.positions.push_back(e.low);
+        result.largest = std::max(result.largest, i - run);
+      }
+      result.starts.push_back(i);
+      run = i;
+    }
+    if (e.low == e.high) flat_at = e.low;
+    reach = std::max(reach, e.high);
+    result.order.push_back(e.item);
+  }
+  result.largest = std::max(result.largest, sorted.size() - run);
+  return result;
+}
+
+}  // namespace
+
+Sweep best_sweep(const WorkSet& set, const std::vector<std::uint32_t>& items) {
+  Sweep best;
+  best.largest = std::numeric_limits<std::size_t>::max();
+  std::vector<Extent> extents(items.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const WorkItem& item = set.items[items[i]];
+      extents[i] = {item.low[axis], item.high[axis], items[i]};
+    }
+    std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
+      if (a.low != b.low) return a.low < b.low;
+      if (a.high != b.high) return a.high < b.high;
+      return a.item < b.item;
+    });
+    Sweep candidate = sweep(extents, axis);
+    if (candidate.largest < best.largest) best = std::move(candidate);
+  }
+  return best;
+}
+
+}  // namespace cigsim

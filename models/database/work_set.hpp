@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The working set of preparation: polygons over a pool of vertices, gathered into items that the
+// partition separates and, where it must, cuts. Cut vertices keep their exact coordinates, so that
+// every later side test is exact however often a polygon has been cut.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "models/environment/environment.hpp"
+#include "models/numeric/plane.hpp"
+
+namespace cigsim {
+
+/// What a polygon keeps of the face it came from.
+struct FaceOrigin {
+  std::uint32_t object = 0;  ///< number, from 1
+  std::uint32_t order = 0;   ///< place among all faces of the system: earlier wins where coplanar
+  Colour colour;
+  bool two_sided = false;
+};
+
+struct WorkPolygon {
+  std::uint32_t first_corner = 0, corner_count = 0;
+  std::uint32_t plane = 0;
+  FaceOrigin origin;
+};
+
+/// An item's polygons are consecutive. `patch`: they belong to one convex object, so that their
+/// order does not matter. A single polygon is a patch of one.
+struct WorkItem {
+  std::uint32_t first_polygon = 0, polygon_count = 0;
+  std::array<double, 3> low{}, high{};  ///< contains every vertex, exactly
+};
+
+class WorkSet {
+ public:
+  std::vector<Plane> planes;
+  std::vector<WorkPolygon> polygons;
+  std::vector<WorkItem> items;
+
+  std::uint32_t add_vertex(const Vec3& v) {
+    vertices_.push_back(v);
+    return static_cast<std::uint32_t>(vertices_.size() - 1);
+  }
+  std::uint32_t add_plane(const Plane& plane) {
+    planes.push_back(plane);
+    return static_cast<std::uint32_t>(planes.size() - 1);
+  }
+  /// Corners are vertices of the pool.
+  void add_polygon(const std::vector<std::uint32_t>& corners, std::uint32_t plane,
+                   const FaceOrigin& origin);
+  /// Makes an item of the last `count` polygons.
+  std::uint32_t add_item(std::uint32_t count);
+
+  const Vec3& vertex(std::uint32_t v) const { return vertices_[v]; }
+  std::size_t vertex_count() const { return vertices_.size(); }
+  /// The exact position of a cut vertex, or nullptr when the double is exact.
+  const ExactVec* exact(std::uint32_t v) const {
+    if (v < first_cut_) return nullptr;
+    const auto at = exact_.find(v);
+    return at == exact_.end() ? nullptr : &at->second;
+  }
+  const std::uint32_t* corners(const WorkPolygon& p) const { return &corners_[p.first_corner]; }
+
+  int side_of(const Plane& plane, std::uint32_t v) const {
+    const ExactVec* e = exact(v);
+    return e ? side(plane, vertices_[v], *e) : side(plane, vertices_[v]);
+  }
+
+  /// Where an item lies: +1 on the closed positive side, -1 on the closed negative side, 0 in the
+  /// plane, 2 across it.
+  int classify(const Plane& plane, const WorkItem& item) const;
+
+  /// Replaces an item that lies across the plane by its two parts; returns {positive, negative}.
+  std::array<std::uint32_t, 2> cut(const Plane& plane, std::uint32_t item);
+
+  /// Replaces an item by one item a polygon.
+  std::vector<std::uint32_t> explode(std::uint32_t item);
+
+ private:
+  std::uint32_t cut_vertex(const Plane& plane, const ExactVec& normal, std::uint32_t a,
+                           std::uint32_t b);
+  ExactVec exact_position(std::uint32_t v) const {
+    const ExactVec* e = exact(v);
+    return e ? *e : convert<Exact>(vertices_[v]);
+  }
+
+  std::vector<Vec3> vertices_;
+  std::uint32_t first_cut_ = 0xffffffffu;
+  std::unordered_map<std::uint32_t, ExactVec> exact_;
+  std::vector<std::uint32_t> corners_;
+};
+
+}  // namespace cigsim
