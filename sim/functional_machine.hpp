@@ -38,9 +38,10 @@ struct FrameStats {
   double host_ms = 0;  ///< all stages, without file output
   StageTimes stages;
   std::uint64_t active_items = 0, faces = 0, edges = 0, crossings = 0, spans = 0;
-  std::uint32_t faults = 0;       ///< listability faults
-  std::uint64_t exact_tests = 0;  ///< side tests redone in rational arithmetic
-  bool certified = false;         ///< every decision was exact
+  std::uint64_t worst_line_crossings = 0;  ///< most crossings on one line
+  std::uint32_t faults = 0;                ///< listability faults
+  std::uint64_t exact_tests = 0;           ///< side tests redone in rational arithmetic
+  bool certified = false;                  ///< every decision was exact
 };
 
 /// Keeps its working memory from frame to frame. One thread.

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+
+#include "models/database/database_json.hpp"
+
+namespace cigsim {
+namespace {
+
+void expect(bool holds, const std::string& place, const char* what) {
+  if (!holds) throw DatabaseFault(place + ": " + what);
+}
+
+bool in_range(std::uint64_t first, std::uint64_t count, std::size_t size) {
+  return first + count <= size;
+}
+
+// The filters of plane.hpp rely on a vertex being off by at most one ulp from the cut's exact
+// place.
+bool within_an_ulp(double rounded, const Exact& exact) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double below = std::nextafter(rounded, -infinity),
+               above = std::nextafter(rounded, infinity);
+  return std::isfinite(below) && std::isfinite(above) && Exact(below) <= exact &&
+         exact <= Exact(above);
+}
+
+void check_cut_vertices(const FaceSet& set, const std::string& place) {
+  const CutVertex* last = nullptr;
+  for (const CutVertex& cut : set.cut_vertices) {
+    expect(cut.vertex < set.vertices.size(), place, "a cut vertex names no vertex");
+    expect(last == nullptr || last->vertex < cut.vertex, place, "cut vertices must ascend");
+    const Vec3& v = set.vertices[cut.vertex];
+    expect(within_an_ulp(v.x, cut.position.x) && within_an_ulp(v.y, cut.position.y) &&
+               within_an_ulp(v.z, cut.position.z),
+           place, "a cut vertex differs from its rounded place");
+    last = &cut;
+  }
+}
+
+void check_set(const FaceSet& set, std::uint64_t last_object, const std::string& place) {
+  check_cut_vertices(set, place + ".cut_vertices");
+  std::vector<bool> used(set.faces.size(), false);
+  for (const Item& item : set.items) {
+    const std::string at = place + ".items[" + std::to_string(&item - set.items.data()) + "]";
+    expect(in_range(item.first_vertex, item.vertex_count, set.vertices.size()), at,
+           "its vertices are out of range");
+    expect(in_range(item.first_face, item.face_count, set.faces.size()), at,
+           "its faces are out of range");
+    for (std::uint32_t f = item.first_face; f < item.first_face + item.face_count; ++f) {
+      expect(!used[f], at, "shares a face with another item");
+      used[f] = true;
+      const PreparedFace& face = set.faces[f];
+      expect(face.corner_count >= 3 &&
+                 in_range(face.first_corner, face.corner_count, set.corners.size()),
+             at, "the corners of a face are out of range");
+      for (std::uint32_t c = face.first_corner; c < face.first_corner + face.corner_count; ++c)
+        expect(set.corners[c] < item.vertex_count, at, "a corner names no vertex");
+      expect(face.plane < set.planes.size(), at, "a face names no plane");
+      expect(face.object >= 1 && face.object <= last_object, at, "a face names no object");
+    }
+  }
+  for (const bool face_used : used) expect(face_used, place, "a face belongs to no item");
+}
+
+// The members below a child of a plane tree; every node and every member may be met once.
+class PlaneTree {
+ public:
+  PlaneTree(const PriorityHierarchy& hierarchy, const Group& group, const std::string& place)
+      : hierarchy_(hierarchy), group_(group), place_(place) {}
+
+  void check() {
+    const std::uint64_t all = group_.member_count == 64
+                                  ? ~std::uint64_t{0}
+                                  : (std::uint64_t{1} << group_.member_count) - 1;
+    const std::uint64_t met = group_.node_count == 0 ? all : members_below(0);
+    expect(met == all && nodes_met_ == group_.node_count, place_,
+           "its planes are not a tree over its members");
+  }
+
+ private:
+  std::uint64_t members_below(std::int32_t child) {
+    if (child < 0) {
+      const auto member = static_cast<std::uint32_t>(~child);
+      expect(member < group_.member_count, place_, "a plane names no member");
+      return std::uint64_t{1} << member;
+    }
+    expect(static_cast<std::uint32_t>(child) < group_.node_count, place_, "a plane names no node");
+    expect(++nodes_met_ <= group_.node_count, place_, "its planes form a circle");
+    const SeparationNode& node =
+        hierarchy_.nodes[group_.first_node + static_cast<std::uint32_t>(child)];
+    expect(node.plane < hierarchy_.planes.size(), place_, "a node names no plane");
+    const std::uint64_t on_true = members_below(node.true_child);
+    const std::uint64_t on_false = members_below(node.false_child);
+    expect((on_true & on_false) == 0, place_, "a member lies on both sides of a plane");
+    expect(on_true == node.true_members && on_false == node.false_members, place_,
+           "the masks of a plane differ from its members");
+    return on_true | on_false;
+  }
+
+  const PriorityHierarchy& hierarchy_;
+  const Group& group_;
+  const std::string& place_;
+  std::uint32_t nodes_met_ = 0;
+};
+
+void check_group(const PriorityHierarchy& hierarchy, const Group& group, const std::string& place) {
+  expect(group.member_count >= 1 && group.member_count <= kGroupCapacity, place,
+         "must have 1 to 64 members");
+  expect(group.node_count == group.member_count - 1, place, "must have a plane less than members");
+  expect(in_range(group.first_member, group.member_count, hierarchy.members.size()), place,
+         "its members are out of range");
+  expect(in_range(group.first_node, group.node_count, hierarchy.nodes.size()), place,
+         "its nodes are out of range");
+  PlaneTree(hierarchy, group, place).check();
+}
+
+// One tree from group 0 that meets every group and every item once.
+void check_hierarchy(const PriorityHierarchy& hierarchy, std::size_t items,
+                     const std::string& place) {
+  expect(hierarchy.groups.empty() == (items == 0), place,
+         "has items but no groups, or the reverse");
+  if (items == 0) return;
+  std::vector<bool> item_met(items, false), group_met(hierarchy.groups.size(), false);
+  std::vector<std::uint32_t> open{0};
+  group_met[0] = true;
+  std::size_t groups_left = hierarchy.groups.size(), items_left = items;
+  while (!open.empty()) {
+    const Group& group = hierarchy.groups[open.back()];
+    const std::string at = place + ".groups[" + std::to_string(open.back()) + "]";
+    open.pop_back();
+    --groups_left;
+    check_group(hierarchy, group, at);
+    for (std::uint32_t m = group.first_member; m < group.first_member + group.member_count; ++m) {
+      const Member& member = hierarchy.members[m];
+      std::vector<bool>& met = member.is_group ? group_met : item_met;
+      expect(member.index < met.size(), at, "a member is out of range");
+      expect(!met[member.index], at, "a member occurs twice");
+      met[member.index] = true;
+      if (member.is_group)
+        open.push_back(member.index);
+      else
+        --items_left;
+    }
+  }
+  expect(groups_left == 0, place, "a group hangs from no other");
+  expect(items_left == 0, place, "an item is in no group");
+}
+
+}  // namespace
+
+void check_database(const Database& database) {
+  expect(!database.systems.empty(), "systems", "must hold the environment's own");
+  expect(database.object_names.size() == database.object_count, "object_names",
+         "must hold a name an object");
+  expect(database.view.fov > 0 && database.view.fov < 180, "view.fov",
+         "must lie between 0 and 180");
+  for (std::size_t i = 0; i < database.systems.size(); ++i) {
+    const PreparedSystem& system = database.systems[i];
+    const std::string place = "systems[" + std::to_string(i) + "]";
+    for (std::size_t k = 1; k < system.motion.size(); ++k)
+      expect(system.motion[k - 1].frame < system.motion[k].frame, place + ".motion",
+             "frames must ascend");
+    check_set(system.set, database.object_count, place + ".set");
+    check_hierarchy(system.hierarchy, system.set.items.size(), place + ".hierarchy");
+  }
+  expect(database.ground.items.size() <= 1, "ground", "must be one item");
+  check_set(database.ground, std::uint64_t{database.object_count} + database.ground.faces.size(),
+            "ground");
+}
+
+}  // namespace cigsim
