@@ -45,6 +45,10 @@ def rectangle(x0, x1, y0, y1):
     return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
 
 
+WEST_FIELD = [(-420, -520), (-30, -480), (-6, -262), (-400, -256)]
+EAST_FIELD = [(-24, -480), (330, -520), (300, -268), (0, -262)]
+
+
 def countryside():
     """The land, far to near: haze, grass, fields, water and roads."""
     ground = [ground_face(rectangle(-24000, 24000, -9000, 36000), HAZE),
@@ -55,7 +59,9 @@ def countryside():
         [(220, -1200), (760, -1100), (700, -500), (200, -540)],
         [(-1600, 560), (-760, 620), (-720, 1240), (-1700, 1300)],
         [(-640, 760), (-240, 760), (-240, 1500), (-700, 1420)],
-        [(620, -420), (1300, -560), (1500, 240), (700, 160)],
+        WEST_FIELD,
+        EAST_FIELD,
+        [(300, -230), (1300, -460), (1500, 240), (480, 160)],
         [(300, 1360), (900, 1500), (1000, 2300), (240, 2200)],
         [(-1100, 1560), (-260, 1660), (-300, 2600), (-1400, 2500)],
         [(1150, 1200), (2100, 1000), (2400, 2100), (1200, 2200)],
@@ -64,14 +70,27 @@ def countryside():
         [(700, 2600), (1900, 2500), (2300, 3700), (900, 3700)],
     ]
     ground += [ground_face(plan, CROPS[i % len(CROPS)]) for i, plan in enumerate(fields)]
+    ground += tramlines(WEST_FIELD, 4, [150, 134, 70]) + tramlines(EAST_FIELD, 3, [126, 126, 78])
     river = [(-2600, -1480), (-900, -1330), (300, -1420), (1400, -1250), (3200, -1500)]
     ground += [ground_face([(ax, ay), (bx, by), (bx, by + 70), (ax, ay + 70)], WATER)
                for (ax, ay), (bx, by) in zip(river, river[1:])]
     lake = [(620, 700), (780, 620), (980, 660), (1120, 800), (1060, 980), (860, 1060), (680, 940)]
     ground.append(ground_face(lake, WATER))
-    road = [(-2400, -300), (-330, -240), (260, -250), (420, 120), (440, 1150)]
+    road = [(-2400, -300), (-330, -240), (190, -250), (300, 60), (330, 1150)]
     ground += [ground_face(strip(a, b, 9), ROAD) for a, b in zip(road, road[1:])]
     return ground
+
+
+def tramlines(field, count, colour):
+    """Tracks of the farmer's wheels, from the field's near edge to its far edge."""
+    near_left, near_right, far_right, far_left = field
+    between = [(i + 1) / (count + 1) for i in range(count)]
+    return [ground_face(strip(along(near_left, near_right, t), along(far_left, far_right, t), 3),
+                        colour) for t in between]
+
+
+def along(a, b, t):
+    return (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]))
 
 
 def strip(a, b, width):
@@ -108,14 +127,12 @@ def near_end_marks():
 
 
 def far_end_marks():
-    return threshold_bars(4) + digits("18", 48) + [rectangle(x, x + 7, 300, 350) for x in (7, -14)]
+    return threshold_bars(2) + [rectangle(x, x + 7, 300, 350) for x in (7, -14)]
 
 
 STROKES = {  # x0, x1, y0, y1 of each bar in a cell 5 wide and 14 high
-    "1": [(2, 3, 0, 14)],
     "3": [(0, 4, 0, 2), (0, 4, 6, 8), (0, 4, 12, 14), (4, 5, 0, 14)],
     "6": [(0, 1, 0, 14), (1, 5, 0, 2), (1, 5, 6, 8), (1, 5, 12, 14), (4, 5, 2, 6)],
-    "8": [(0, 1, 0, 14), (4, 5, 0, 14), (1, 4, 0, 2), (1, 4, 6, 8), (1, 4, 12, 14)],
 }
 
 
@@ -203,8 +220,8 @@ def hangars():
 
 def fuel_farm():
     model = Model("fuel farm")
-    for i, (x, y) in enumerate(((-230, 462), (-206, 462), (-218, 486)), start=1):
-        at, plan = Frame(x, y), ring(10, 8, step=1)
+    for i, (x, y) in enumerate(((-230, 462), (-206, 462)), start=1):
+        at, plan = Frame(x, y), ring(8, 8, step=1)
         model.add(f"tank {i}", upright(plan, 0, 10), WHITE, at)
         model.add(f"tank {i} roof", upright(plan, 10, 10) + [(0, 0, 12)], [190, 196, 200], at)
     return model
@@ -235,7 +252,7 @@ def windsock():
 def approach_lights():
     """Posts on the centre line before the threshold, each with a bar; and slope indicators."""
     model = Model("approach lights")
-    for i in range(6):
+    for i in range(5):
         at = Frame(0, -70 - 30 * i)
         half_width = 12 if i == 3 else 2.5
         model.add(f"post {i + 1}", box(-0.25, 0.25, -0.25, 0.25, 0, 3), [220, 120, 40], at)
@@ -313,17 +330,15 @@ def light_aircraft(model, name, frame, livery):
     add("wheels", box(-1, 1, 0.5, 1, -1.5, -0.75), RUNWAY)
 
 
-def parked_airliners():
-    model = Model("parked airliners")
+def parked_airliner():
+    model = Model("parked airliner")
     airliner(model, "blue airliner", Frame(-158, 92, 3.5, (0, 16)), [40, 84, 170])
-    airliner(model, "green airliner", Frame(-158, 152, 3.5, (3, 16)), [38, 130, 84])
     return model
 
 
 def parked_light_aircraft():
     model = Model("parked light aircraft")
     light_aircraft(model, "red single", Frame(-160, 300, 1.5, (-11, 12)), RED)
-    light_aircraft(model, "blue single", Frame(-160, 330, 1.5, (-11, 12)), [50, 92, 180])
     return model
 
 
@@ -348,11 +363,20 @@ def paint_sloping_or(wall):
 
 def village():
     model = Model("village")
-    places = [(330, 190), (356, 246), (326, 300), (352, 356), (328, 414), (382, 200),
-              (386, 300), (384, 420), (300, 246), (352, 480)]
+    places = [(150, 130), (186, 164), (226, 120), (246, 190), (214, 236), (176, 290), (250, 310)]
     for i, (x, y) in enumerate(places):
         house(model, f"house {i + 1}", x, y, i)
-    church(model, Frame(300, 350))
+    church(model, Frame(166, 220))
+    return model
+
+
+def farm():
+    model = Model("farm")
+    house(model, "farmhouse", -84, -206, 0)
+    at = Frame(-98, -178)
+    model.add("barn", box(-10, 10, -6, 6, 0, 7), [150, 60, 46], at)
+    model.add("barn roof", along_x([(-6, 7), (6, 7), (0, 12)], -10, 10), [96, 92, 92], at,
+              paint_sloping_or([150, 60, 46]))
     return model
 
 
@@ -390,15 +414,14 @@ def trees(name, kind, places):
 
 
 def all_trees():
-    avenue = [(-300 + 40 * i - (8 if i > 3 else 0), -215, 12 + 2 * (i % 3)) for i in range(7)]
     return [
-        trees("south wood", conifer, [(150, -190, 20), (172, -206, 24), (190, -178, 16),
-                                      (206, -200, 24), (160, -160, 16), (224, -176, 20)]),
-        trees("road trees", broadleaf, avenue[:6]),
-        trees("east trees", broadleaf, [(210, 90, 14), (236, 112, 12), (220, 560, 16),
-                                        (246, 590, 14), (226, 620, 12), (252, 530, 14)]),
-        trees("west wood", conifer, [(-330, 40, 24), (-352, 64, 28), (-326, 88, 20),
-                                     (-350, 120, 24), (-330, 150, 28)]),
+        trees("south wood", conifer, [(74, -214, 16), (88, -196, 20), (104, -212, 18),
+                                      (96, -170, 22), (116, -186, 16)]),
+        trees("farm trees", broadleaf, [(-66, -180, 13), (-112, -214, 14), (-136, -196, 12)]),
+        trees("village trees", broadleaf, [(134, 84, 14), (206, 92, 12), (140, 330, 16),
+                                           (206, 350, 14)]),
+        trees("east trees", broadleaf, [(150, 520, 14), (170, 600, 16)]),
+        trees("west wood", conifer, [(-290, 60, 24), (-312, 92, 28), (-288, 140, 24)]),
     ]
 
 
@@ -445,17 +468,36 @@ def take_off(frame):
             "attitude": [snap(heading), snap(pitch), snap(roll)]}
 
 
+def taxi(frame):
+    """South along the taxiway, a left turn, and a wait before the runway."""
+    speed, turn_radius = 2.25, 12
+    straight, arc = 300.0, math.pi / 2 * turn_radius
+    run = min(speed * frame, straight + arc + 14)
+    angle = min(max(run - straight, 0.0), arc) / turn_radius
+    beyond = max(0.0, run - straight - arc)
+    x = -74 + turn_radius * (1 - math.cos(angle)) + beyond
+    y = 334 - min(run, straight) - turn_radius * math.sin(angle)
+    return {"frame": frame, "position": [snap(x), snap(y), 3.5],
+            "attitude": [snap(180 - math.degrees(angle)), 0, 0]}
+
+
 def along_turn(turned, speed):
     """How far to the east the turn has carried it: the heading grows by two degrees a second."""
     steps = [min(30.0, 2.0 * turned * (i + 0.5) / 16) for i in range(16)]
     return sum(speed * math.sin(math.radians(h)) * turned / 16 for h in steps)
 
 
-def departing_airliner():
-    model = Model("departing airliner")
-    airliner(model, "departing airliner", Frame(0, 0), RED, sides=8)
-    return {"name": "departure", "motion": [take_off(f) for f in range(0, FRAMES, 13)],
-            "models": [model.to_json()]}
+def moving_airliner(name, livery, keys):
+    """An airliner in a coordinate system of its own."""
+    model = Model(name)
+    airliner(model, name, Frame(0, 0), livery)
+    return {"name": name, "motion": keys, "models": [model.to_json()]}
+
+
+def traffic():
+    taxi_frames = [0, *range(132, 146, 2), 148]
+    return [moving_airliner("departing airliner", RED, [take_off(f) for f in range(0, 300, 13)]),
+            moving_airliner("taxiing airliner", [38, 130, 84], [taxi(f) for f in taxi_frames])]
 
 
 def approach(frame):
@@ -478,10 +520,8 @@ def approach(frame):
 
 
 def flare(height):
-    """The glide path, bent smoothly to the ground below twelve metres."""
-    bend = 6.0
-    return height if height > 2 * bend else bend * math.log1p(math.exp(height / bend - 1) * 2) \
-        if height > -60 else 0.0
+    """The glide path, bent smoothly to the ground over its last metres."""
+    return 4 * math.log1p(math.exp(height / 4))
 
 
 def approach_pitch(frame, touchdown):
@@ -503,32 +543,36 @@ def write_approach(path):
 
 # --- The scene ---------------------------------------------------------------------------------
 
+SHADOW_PARTS = {"terminal": ("roof",), "tower": ("shaft", "cab"), "hangars": ("roof",),
+                "parked airliner": ("body", "wing"), "parked light aircraft": ("cabin", "wing"),
+                "farm": ("roof",), "south wood": ("crown",), "farm trees": ("crown",)}
+SHADOW_COLOURS = {name: APRON_SHADOW for name in ("terminal", "hangars", "parked airliner",
+                                                  "parked light aircraft")}
+
+
 def shadows(models):
-    """Shadows of the buildings and of the aircraft that stand on the apron."""
-    grass = ("hall", "roof", "tank", "shaft", "cab", "base")
+    """Shadows of the bodies that show them best, on what each stands on."""
     ground = []
     for model in models:
         for body in model.bodies:
             part = body.name.split()[-1]
-            if model.name in ("terminal", "tower", "hangars") and part in grass:
-                ground.append(shadow(body, APRON_SHADOW))
-            elif model.name == "parked airliners" and part in ("body", "tail", "nose", "wing"):
-                ground.append(shadow(body, APRON_SHADOW))
+            if part in SHADOW_PARTS.get(model.name, ()):
+                ground.append(shadow(body, SHADOW_COLOURS.get(model.name, SHADOW)))
     return ground
 
 
 def airfield():
     models = [terminal(), tower(), hangars(), fuel_farm(), vehicles(), windsock(),
-              approach_lights(), parked_airliners(), parked_light_aircraft(), village(),
+              approach_lights(), parked_airliner(), parked_light_aircraft(), village(), farm(),
               *all_trees(), hills()]
     return {
         "cigsim": 1,
         "name": "airfield",
         "background": SKY,
-        "view": {"eye": [0, -480, 45], "attitude": [-2, -3, 0], "fov": 46},
+        "view": {"eye": [6, -490, 46], "attitude": [-2, -4, 0], "fov": 40},
         "sun": SUN,
         "models": [model.to_json() for model in models],
-        "systems": [departing_airliner()],
+        "systems": traffic(),
         "ground": countryside() + runway() + taxiways() + shadows(models),
     }
 
