@@ -22,6 +22,7 @@ class DatabaseFault : public std::runtime_error {
 };
 
 nlohmann::ordered_json database_to_json(const Database& database);
+nlohmann::ordered_json report_to_json(const PreparationReport& report);
 
 /// Checks types, lengths and finiteness; throws DatabaseFault. What the numbers refer to is checked
 /// by check_database.

@@ -131,7 +131,9 @@ Json system_json(const PreparedSystem& system) {
   return out;
 }
 
-Json report_json(const PreparationReport& report) {
+}  // namespace
+
+Json report_to_json(const PreparationReport& report) {
   Json out;
   out["objects"] = report.objects;
   out["faces"] = report.faces;
@@ -152,8 +154,6 @@ Json report_json(const PreparationReport& report) {
   return out;
 }
 
-}  // namespace
-
 Json database_to_json(const Database& database) {
   Json out;
   out[kDatabaseTag] = kDatabaseVersion;
@@ -167,7 +167,7 @@ Json database_to_json(const Database& database) {
   Json& systems = out["systems"] = Json::array();
   for (const PreparedSystem& system : database.systems) systems.push_back(system_json(system));
   out["ground"] = set_json(database.ground);
-  out["report"] = report_json(database.report);
+  out["report"] = report_to_json(database.report);
   return out;
 }
 

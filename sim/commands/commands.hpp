@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The subcommands of cigsim, one file each.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace cigsim {
+
+/// Each adds its subcommand. When it is given, it runs while the command line is parsed and leaves
+/// the program's exit code in `exit_code`; it throws UsageError and InputError.
+void add_run(CLI::App& program, int& exit_code);
+void add_prepare(CLI::App& program, int& exit_code);
+void add_requirements(CLI::App& program, int& exit_code);
+void add_generate(CLI::App& program, int& exit_code);
+
+}  // namespace cigsim

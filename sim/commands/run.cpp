@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// cigsim run: the main job.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "models/environment/input_error.hpp"
+#include "models/environment/write.hpp"
+#include "sim/arguments.hpp"
+#include "sim/commands/commands.hpp"
+#include "sim/interrupt.hpp"
+#include "sim/picture_file.hpp"
+#include "sim/progress.hpp"
+#include "sim/scene.hpp"
+#include "sim/stats.hpp"
+#include "sim/view.hpp"
+
+namespace cigsim {
+namespace {
+
+constexpr std::uint64_t kMostRepeats = 1000000;
+constexpr std::size_t kFewFrames = 3;
+constexpr int kSignalled = 128;  // exit code of a program that a signal ended, less the signal
+
+struct Options {
+  std::optional<std::string> scene;
+  ViewOptions view;
+  MachineOptions machine;
+  std::optional<Sun> sun;
+  std::size_t repeat = 1;
+  std::string out = "out";
+  bool json = false;
+};
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(folder.string(), 0, "cannot make this folder: " + error.message());
+  // Figures of an earlier run must not stand beside the pictures of this one.
+  std::filesystem::remove(folder / "stats.json", error);
+}
+
+FrameRecord compute(FunctionalMachine& machine, const FrameView& view, std::size_t repeat,
+                    const std::filesystem::path& folder, std::size_t number) {
+  std::vector<FrameStats> repeats;
+  const Picture* picture = nullptr;
+  for (std::size_t i = 0; i < repeat; ++i) {
+    picture = &machine.compute(view.viewpoint, view.position);
+    repeats.push_back(machine.stats());
+  }
+  FrameRecord record{view, median_times(repeats), fmt::format("frame-{:04}.png", number),
+                     fmt::format("ids-{:04}.pgm", number)};
+  write_png(*picture, folder / record.picture);
+  write_pgm(*picture, folder / record.ids);
+  return record;
+}
+
+// Returns the signal that ended the run early, or 0.
+int compute_frames(const std::vector<FrameView>& views, const Options& options, RunRecord& run) {
+  FunctionalMachine machine(*run.database, run.machine);
+  Progress progress("rendering");
+  const Interrupt interrupt;
+  for (std::size_t i = 0; i < views.size() && interrupt.signal() == 0; ++i) {
+    run.frames.push_back(compute(machine, views[i], run.repeat, options.out, i));
+    if (views.size() > kFewFrames)
+      progress.show(static_cast<double>(i + 1) / static_cast<double>(views.size()));
+  }
+  run.interrupted = run.frames.size() < views.size();
+  return run.interrupted ? interrupt.signal() : 0;
+}
+
+void print_summary(const RunRecord& run, const std::filesystem::path& folder) {
+  const Raster& raster = run.machine.raster;
+  std::vector<double> times;
+  std::uint64_t faces = 0, crossings = 0, faults = 0, certified = 0;
+  for (const FrameRecord& frame : run.frames) {
+    times.push_back(frame.stats.host_ms);
+    faces = std::max(faces, frame.stats.faces);
+    crossings = std::max(crossings, frame.stats.crossings);
+    faults += frame.stats.faults;
+    certified += frame.stats.certified ? 1 : 0;
+  }
+  fmt::print("Scene     {}: {} objects, {} ground faces\n", run.scene, run.database->object_count,
+             run.database->ground.faces.size());
+  fmt::print("Frames    {} of {} at {} x {}, {} numbers{}\n", run.frames.size(), run.frames_wanted,
+             raster.width, raster.height, name_of(run.machine.number),
+             run.interrupted ? " (interrupted)" : "");
+  fmt::print("Frame     {:.2f} ms (median), up to {} faces and {} crossings\n", median(times),
+             faces, crossings);
+  fmt::print("Decisions {} listability faults, {} of {} frames certified\n", faults, certified,
+             run.frames.size());
+  if (numbers_saturate(*run.database))
+    fmt::print("Numbers   65535 in ids-NNNN.pgm stands for that number and all above\n");
+  if (run.frames.empty()) return;
+  const auto files = [&](const std::string& first, const std::string& last) {
+    return (folder / first).string() + (first == last ? "" : " to " + last);
+  };
+  fmt::print("Pictures  {}\n", files(run.frames.front().picture, run.frames.back().picture));
+  fmt::print("Objects   {}\n", files(run.frames.front().ids, run.frames.back().ids));
+  fmt::print("Figures   {}\n", (folder / "stats.json").string());
+}
+
+int run_command(const Options& options) {
+  const std::vector<PathRow> path = load_path(options.view);
+  const LoadedScene scene = load_scene(options.scene, options.sun);
+  const std::vector<FrameView> views = frame_views(options.view, path, scene.database);
+  RunRecord run;
+  run.scene = scene.name;
+  run.database = &scene.database;
+  run.machine = options.machine;
+  run.machine.raster = options.view.raster;
+  run.repeat = options.repeat;
+  run.frames_wanted = views.size();
+  run.path = options.view.path;
+  run.sun = options.sun;
+  make_folder(options.out);
+  const int signal = compute_frames(views, options, run);
+  const std::string stats = dump(stats_json(run)) + "\n";
+  write_file(std::filesystem::path(options.out) / "stats.json", stats);
+  if (options.json)
+    fmt::print("{}", stats);
+  else
+    print_summary(run, options.out);
+  return signal == 0 ? 0 : kSignalled + signal;
+}
+
+void add_machine_options(CLI::App& command, Options& o) {
+  using Text = std::string;
+  const auto add = [&](const char* name, const char* form, auto take, const char* help) {
+    command.add_option_function<Text>(name, take, help)->type_name(form)->group("Machine");
+  };
+  add(
+      "--number", "float|double|exact",
+      [&o](const Text& t) {
+        o.machine.number = parse_choice<NumberType>("--number", t,
+                                                    {{"float", NumberType::kFloat},
+                                                     {"double", NumberType::kDouble},
+                                                     {"exact", NumberType::kExact}});
+      },
+      "Numbers to compute with: fast, the ideal picture (default), or rationals without rounding");
+  add(
+      "--priority", "counters|so",
+      [&o](const Text& t) {
+        o.machine.priority = parse_choice<PriorityMethod>(
+            "--priority", t,
+            {{"counters", PriorityMethod::kCounters}, {"so", PriorityMethod::kSoMatrix}});
+      },
+      "Priority from a counter per object (default) or from the separating-object matrix");
+  add(
+      "--resolver", "coverage|active-list",
+      [&o](const Text& t) {
+        o.machine.resolver =
+            parse_choice<ResolverMethod>("--resolver", t,
+                                         {{"coverage", ResolverMethod::kCoverage},
+                                          {"active-list", ResolverMethod::kActiveList}});
+      },
+      "Visible spans from a coverage mask (default, less work) or the machine's own active list");
+}
+
+void add_output_options(CLI::App& command, Options& o) {
+  command
+      .add_option_function<std::string>(
+          "--repeat",
+          [&o](const std::string& t) { o.repeat = parse_whole("--repeat", t, 1, kMostRepeats); },
+          "Compute each frame N times; stats.json gives the median times")
+      ->type_name("N")
+      ->group("Output");
+  command.add_option("--out", o.out, "Folder for pictures and figures. Default: out")
+      ->type_name("DIR")
+      ->group("Output");
+  command.add_flag("--json", o.json, "Print stats.json instead of the summary")->group("Output");
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("run", "Render frames of a scene");
+  command->footer(
+      "Writes into DIR for each frame a picture (frame-0000.png) and the object number of every\n"
+      "element (ids-0000.pgm), and the figures of the run (stats.json).\n"
+      "\nExamples:\n"
+      "  cigsim run                                      the built-in airfield\n"
+      "  cigsim run --path builtin --frames 100          an approach to it\n"
+      "  cigsim run city.obj --eye -50,-300,80 --look-at 0,0,0 --raster 640x480\n"
+      "  cigsim run --number exact --repeat 5 --out exact\n");
+  command
+      ->add_option("SCENE", options->scene,
+                   "Scene file or prepared database. Default: the built-in airfield")
+      ->type_name("");
+  add_view_options(*command, options->view);
+  add_sun_option(*command, options->sun);
+  add_machine_options(*command, *options);
+  add_output_options(*command, *options);
+  command->callback([options, &exit_code] { exit_code = run_command(*options); });
+}
+
+}  // namespace cigsim

@@ -1,0 +1,14 @@
+# Turns FILES into the C++ file OUTPUT, which defines the functions of sim/embedded.hpp. A file
+# NAME-OF-IT.ending is read through `std::string_view embedded_name_of_it()`.
+set(CODE "#include \"sim/embedded.hpp\"\n\nnamespace cigsim {\n")
+foreach(FILE IN LISTS FILES)
+  get_filename_component(NAME ${FILE} NAME_WE)
+  string(MAKE_C_IDENTIFIER ${NAME} NAME)
+  file(READ ${FILE} BYTES HEX)
+  string(REGEX REPLACE "(..)" "'\\\\x\\1'," BYTES "${BYTES}")
+  string(APPEND CODE
+    "static constexpr char k_${NAME}[] = {${BYTES}};\n"
+    "std::string_view embedded_${NAME}() { return {k_${NAME}, sizeof k_${NAME}}; }\n")
+endforeach()
+string(APPEND CODE "}  // namespace cigsim\n")
+file(WRITE ${OUTPUT} "${CODE}")

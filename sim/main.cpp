@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The cigsim command: its subcommands, and what becomes of their errors.
+//
+// Exit codes: 0 success, 1 a comparison or check failed, 2 unusable input or wrong usage, with one
+// line on standard error.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "sim/arguments.hpp"
+#include "sim/commands/commands.hpp"
+#include "sim/stats.hpp"
+
+namespace {
+
+constexpr int kUnusable = 2;
+
+int fail(std::string message) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  fmt::print(stderr, "cigsim: {}\n", message);
+  return kUnusable;
+}
+
+std::string name_of_given(const CLI::App& program) {
+  const auto given = program.get_subcommands();
+  return given.empty() ? "cigsim" : "cigsim " + given.front()->get_name();
+}
+
+int parse_and_run(CLI::App& program, int argc, char** argv, const int& exit_code) {
+  try {
+    program.parse(argc, argv);
+    return exit_code;
+  } catch (const CLI::CallForVersion& request) {
+    fmt::print("{}\n", request.what());
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", program.help());
+  } catch (const CLI::ParseError& error) {
+    return fail(fmt::format("{}; see {} --help", error.what(), name_of_given(program)));
+  } catch (const cigsim::UsageError& error) {
+    return fail(fmt::format("{}; see {} --help", error.what(), name_of_given(program)));
+  } catch (const std::bad_alloc&) {
+    return fail("there is not enough memory; try a smaller scene or raster");
+  } catch (const std::exception& error) {
+    return fail(error.what());
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A file beyond the allowed size is an error of writing, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  CLI::App program(
+      "Emulator of a Computer Image Generator of the 1970s: a scene goes in, frames come out");
+  program.name("cigsim");
+  program.set_version_flag("--version", std::string("cigsim ") + cigsim::version());
+  program.require_subcommand(1);
+  program.footer(
+      "Start with:\n"
+      "  cigsim run                  renders the built-in airfield into the folder out\n"
+      "  cigsim COMMAND --help       tells about a command, with examples\n"
+      "\nExit code: 0 success, 1 a check failed, 2 unusable input or wrong usage.\n");
+  int exit_code = 0;
+  cigsim::add_run(program, exit_code);
+  cigsim::add_prepare(program, exit_code);
+  cigsim::add_requirements(program, exit_code);
+  cigsim::add_generate(program, exit_code);
+  const int result = parse_and_run(program, argc, argv, exit_code);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return fail("standard output cannot be written");
+  return result;
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "sim/picture_file.hpp"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <csetjmp>
+#include <new>
+#include <stdexcept>
+#include <vector>
+
+#include "models/environment/write.hpp"
+
+namespace cigsim {
+namespace {
+
+// Pictures of flat faces have long runs: level 3 with the row above as the guess packs them about
+// as small as the default level, several times as fast.
+constexpr int kCompressionLevel = 3;
+
+void put_bytes(png_structp png, png_bytep bytes, png_size_t count) {
+  auto& out = *static_cast<std::ostream*>(png_get_io_ptr(png));
+  out.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+}
+
+void no_flush(png_structp) {}
+
+// libpng reports errors by longjmp: nothing here may need a destructor.
+bool write_rows(png_structp png, png_infop info, const Picture& picture, std::ostream& out) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_set_write_fn(png, &out, put_bytes, no_flush);
+  png_set_compression_level(png, kCompressionLevel);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+  const auto width = static_cast<png_uint_32>(picture.width);
+  png_set_IHDR(png, info, width, static_cast<png_uint_32>(picture.height), 8, PNG_COLOR_TYPE_RGB,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  png_set_filler(png, 0, PNG_FILLER_AFTER);
+  for (int row = 0; row < picture.height; ++row)
+    png_write_row(png, reinterpret_cast<png_const_bytep>(picture.colours.data() +
+                                                         static_cast<std::size_t>(row) * width));
+  png_write_end(png, nullptr);
+  return true;
+}
+
+// The two structures of libpng, freed together.
+struct PngWriter {
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+
+  PngWriter() {
+    if (info != nullptr) return;
+    png_destroy_write_struct(&png, nullptr);
+    throw std::bad_alloc();
+  }
+  ~PngWriter() { png_destroy_write_struct(&png, &info); }
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
+};
+
+}  // namespace
+
+void write_png(const Picture& picture, const std::filesystem::path& file) {
+  write_file(file, [&](std::ostream& out) {
+    PngWriter writer;
+    if (!write_rows(writer.png, writer.info, picture, out))
+      throw std::runtime_error(fmt::format("{}: libpng could not write it", file.string()));
+  });
+}
+
+void write_pgm(const Picture& picture, const std::filesystem::path& file) {
+  write_file(file, [&](std::ostream& out) {
+    out << fmt::format("P5\n{} {}\n65535\n", picture.width, picture.height);
+    const auto width = static_cast<std::size_t>(picture.width);
+    std::vector<char> bytes(2 * width);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(picture.height); ++row) {
+      for (std::size_t c = 0; c < width; ++c) {
+        const std::uint16_t number = picture.numbers[row * width + c];
+        bytes[2 * c] = static_cast<char>(number >> 8);
+        bytes[2 * c + 1] = static_cast<char>(number & 0xff);
+      }
+      out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    }
+  });
+}
+
+}  // namespace cigsim

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Pictures as files: PNG for the eye, PGM for object numbers.
+#pragma once
+
+#include <filesystem>
+
+#include "models/boundary/transactions.hpp"
+
+namespace cigsim {
+
+/// RGB, 8 bits a channel. Throws InputError when it cannot be written, and leaves nothing then.
+void write_png(const Picture& picture, const std::filesystem::path& file);
+
+/// Object numbers: P5, maxval 65535, two bytes an element, the high one first.
+void write_pgm(const Picture& picture, const std::filesystem::path& file);
+
+}  // namespace cigsim

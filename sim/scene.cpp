@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "sim/scene.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "models/database/database_file.hpp"
+#include "models/database/prepare.hpp"
+#include "models/environment/input_error.hpp"
+#include "sim/arguments.hpp"
+#include "sim/embedded.hpp"
+#include "sim/progress.hpp"
+
+namespace cigsim {
+namespace {
+
+constexpr const char* kBuiltIn = "built-in airfield";
+
+void append(Environment& whole, Environment&& part) {
+  // System 0 is the environment's own in every part; the others follow one another.
+  const auto systems = static_cast<std::uint32_t>(whole.systems.size() - 1);
+  const auto models = static_cast<std::uint32_t>(whole.models.size());
+  for (Model& model : part.models) {
+    if (model.system != 0) model.system += systems;
+    whole.models.push_back(std::move(model));
+  }
+  for (Object& object : part.objects) {
+    object.model += models;
+    whole.objects.push_back(std::move(object));
+  }
+  std::move(part.systems.begin() + 1, part.systems.end(), std::back_inserter(whole.systems));
+  std::move(part.ground.begin(), part.ground.end(), std::back_inserter(whole.ground));
+  if (!whole.view) whole.view = part.view;
+  if (!whole.sun) whole.sun = part.sun;
+}
+
+void append(std::vector<Notice>& whole, const std::vector<Notice>& part) {
+  for (const Notice& notice : part) {
+    const auto same = std::find_if(whole.begin(), whole.end(),
+                                   [&](const Notice& n) { return n.what == notice.what; });
+    if (same == whole.end())
+      whole.push_back(notice);
+    else
+      same->count += notice.count;
+  }
+}
+
+LoadedScene prepared(std::string name, const ReadResult& scene, const std::optional<Sun>& sun) {
+  const SceneFacts facts{scene.environment.models.size(), sun || scene.environment.sun};
+  return {std::move(name), prepare_scene(scene, sun), facts};
+}
+
+}  // namespace
+
+void add_sun_option(CLI::App& command, std::optional<Sun>& sun) {
+  command
+      .add_option_function<std::string>(
+          "--sun", [&sun](const std::string& text) { sun = parse_sun("--sun", text); },
+          "Shade faces by a sun at this azimuth (clockwise from north) and elevation, in degrees. "
+          "Default: the scene's own sun, or colours as given")
+      ->type_name("AZ,EL");
+}
+
+ReadResult merge(std::vector<ReadResult> parts) {
+  ReadResult whole = std::move(parts.front());
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    append(whole.environment, std::move(parts[i].environment));
+    append(whole.notices, parts[i].notices);
+  }
+  return whole;
+}
+
+Database prepare_scene(const ReadResult& scene, const std::optional<Sun>& sun) {
+  Progress progress("preparing");
+  Database database =
+      prepare(scene.environment, {sun, [&](double share) { progress.show(share); }});
+  std::vector<Notice> notices = scene.notices;
+  append(notices, database.report.notices);
+  database.report.notices = std::move(notices);
+  return database;
+}
+
+LoadedScene load_scene(const std::optional<std::filesystem::path>& file,
+                       const std::optional<Sun>& sun) {
+  if (!file) return prepared(kBuiltIn, parse_json(embedded_airfield(), kBuiltIn), sun);
+  if (!is_database(*file)) return prepared(file->string(), read_environment(*file), sun);
+  if (sun)
+    throw UsageError("--sun: " + file->string() +
+                     " is prepared and its shades are fixed; prepare the scene with this sun");
+  return {file->string(), read_database(*file), std::nullopt};
+}
+
+}  // namespace cigsim

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Finding the scene that a command names, as a prepared database.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/database/database.hpp"
+#include "models/environment/read.hpp"
+
+namespace cigsim {
+
+/// What preparation does not keep of an environment.
+struct SceneFacts {
+  std::size_t models = 0;
+  bool sun = false;  ///< colours were shaded
+};
+
+struct LoadedScene {
+  std::string name;  ///< the file as given, or "built-in airfield"
+  Database database;
+  std::optional<SceneFacts> facts;  ///< none: the scene came prepared
+};
+
+/// --sun AZ,EL.
+void add_sun_option(CLI::App& command, std::optional<Sun>& sun);
+
+/// Several environments as one: objects in the order of the inputs, the first background, view and
+/// sun that an input has. `parts` must not be empty.
+ReadResult merge(std::vector<ReadResult> parts);
+
+/// Prepares `environment` with a progress bar; what the reader noticed joins the report.
+Database prepare_scene(const ReadResult& scene, const std::optional<Sun>& sun);
+
+/// A scene file is prepared in memory, a prepared database is read; without a file, the airfield.
+/// Throws InputError, and UsageError for a sun with a prepared database.
+LoadedScene load_scene(const std::optional<std::filesystem::path>& file,
+                       const std::optional<Sun>& sun);
+
+}  // namespace cigsim
