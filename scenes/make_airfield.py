@@ -11,8 +11,8 @@ import csv
 import math
 from pathlib import Path
 
-from scene_tools import (Body, Frame, GRID, Model, along_x, along_y, box, ground_face, mirrored,
-                         paint_top, ring, scaled, shifted, snap, taper, upright, write_scene)
+from scene_tools import (Frame, GRID, Model, along_x, along_y, box, ground_face, mirrored,
+                         paint_top, ring, scaled, snap, taper, upright, write_scene)
 
 FRAMES = 300
 SUN = {"azimuth": 235, "elevation": 38}
@@ -70,7 +70,8 @@ def countryside():
         [(700, 2600), (1900, 2500), (2300, 3700), (900, 3700)],
     ]
     ground += [ground_face(plan, CROPS[i % len(CROPS)]) for i, plan in enumerate(fields)]
-    ground += tramlines(WEST_FIELD, 4, [150, 134, 70]) + tramlines(EAST_FIELD, 3, [126, 126, 78])
+    ground += tramlines(WEST_FIELD, (0.8, 0.86, 0.92), [164, 146, 72])
+    ground += tramlines(EAST_FIELD, (0.1, 0.17, 0.24, 0.31), [104, 140, 72])
     river = [(-2600, -1480), (-900, -1330), (300, -1420), (1400, -1250), (3200, -1500)]
     ground += [ground_face([(ax, ay), (bx, by), (bx, by + 70), (ax, ay + 70)], WATER)
                for (ax, ay), (bx, by) in zip(river, river[1:])]
@@ -81,12 +82,11 @@ def countryside():
     return ground
 
 
-def tramlines(field, count, colour):
-    """Tracks of the farmer's wheels, from the field's near edge to its far edge."""
+def tramlines(field, places, colour):
+    """Wheel tracks from the field's near edge to its far edge, at parts of its width."""
     near_left, near_right, far_right, far_left = field
-    between = [(i + 1) / (count + 1) for i in range(count)]
     return [ground_face(strip(along(near_left, near_right, t), along(far_left, far_right, t), 3),
-                        colour) for t in between]
+                        colour) for t in places]
 
 
 def along(a, b, t):
@@ -436,7 +436,7 @@ def hills():
     greens = [[74, 118, 88], [86, 128, 84], [66, 106, 92], [92, 124, 100]]
     rows = [
         (-2900, 5600, 1100, [(-300, 0, 330), (250, 60, 260), (0, -300, 200)]),
-        (-1500, 6400, 900, [(-160, 20, 300), (220, -20, 360)]),
+        (-1340, 7100, 900, [(-160, 20, 300), (220, -20, 360)]),
         (-620, 5300, 480, [(-80, 0, 150), (100, -30, 120)]),
         (1000, 5500, 640, [(-200, 0, 170), (120, 40, 230), (40, -160, 130)]),
         (2400, 6300, 1000, [(-260, 0, 340), (260, -40, 420), (0, -240, 260)]),

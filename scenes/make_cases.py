@@ -5,7 +5,7 @@
 
 from pathlib import Path
 
-from scene_tools import Body, along_y, box, metres, to_grid, write_scene
+from scene_tools import Body, box, metres, to_grid, write_scene
 
 PALETTE = [[214, 84, 62], [232, 164, 60], [214, 206, 84], [104, 172, 88], [76, 164, 168],
            [84, 120, 200], [150, 100, 184], [206, 110, 156]]
@@ -73,7 +73,7 @@ def fuchs_overlap():
               plank((2, 8), (-7, -7), (2, -1))]
     objects = [{"name": name, "colour": colour, "vertices": vertices, "faces": [[0, 1, 2, 3]]}
                for name, colour, vertices in zip("ABC", PALETTE[0:6:2], planks)]
-    view = {"eye": [-3, -16, 20], "look_at": [0, -1, 0], "fov": 45}
+    view = {"eye": [-3, -16, 20], "look_at": [0, -1, 0], "fov": 50}
     return scene("fuchs overlap", view, objects)
 
 
@@ -90,9 +90,8 @@ def cube_cards(x0, x1, y0, y1, z0, z1):
     return cards + ["F   " + "".join(f"{n:3d}" for n in face) for face in CUBE_FACES]
 
 
-def plane_card(a, b):
-    """An operator's upright plane through two points of the plan; TRUE is to the right of a-b."""
-    points = [(*a, 0), (*b, 0), (*b, 10)]
+def plane_card(*points):
+    """An operator's plane through three points, with the same rule for its normal."""
     return "S   " + "".join(f"{c:8.2f}" for point in points for c in point)
 
 
@@ -101,8 +100,17 @@ def deck(cubes, planes=()):
     return "\n".join(cards + [plane_card(*plane) for plane in planes] + ["E"]) + "\n"
 
 
+# His figures give extents for cases 1 and 3. Case 2's figure is lost: these four cubes and three
+# planes are one arrangement of which everything that he prints about it is true. The first plane
+# parts 3, 4 from 1, 2; the second (x + y = 20) parts 2, 4 from 1, 3; the third (x = 3z + 3) has
+# 2, 3 above it and 1, 4 below.
 DECKS = {
     "stump-case-1": deck([(0, 10, 0, 10, 0, 10), (20, 30, 0, 10, 0, 10)]),
+    "stump-case-2": deck([(65, 85, -85, -65, 0, 20), (60, 90, -40, -10, 30, 60),
+                          (5, 45, -70, -30, 15, 55), (40, 50, -20, -10, 0, 10)],
+                         [((55, 0, 0), (55, 10, 0), (55, 10, 10)),
+                          ((0, 20, 0), (20, 0, 0), (20, 0, 10)),
+                          ((33, 0, 10), (3, 0, 0), (3, 10, 0))]),
     "stump-case-3": deck([(0, 10, 0, 10, 0, 10), (0, 10, 15, 25, 0, 10), (15, 25, 0, 20, 0, 10),
                           (0, 20, 30, 40, 0, 10), (30, 40, 15, 35, 0, 10)]),
 }
