@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: MIT
+// The project's own scene format (docs/scene-format.md): JSON, or the same document as CBOR.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "models/environment/document.hpp"
+#include "models/environment/input_error.hpp"
+#include "models/environment/read.hpp"
+#include "models/environment/text_file.hpp"
+
+namespace cigsim {
+namespace {
+
+using Kind = Document::Kind;
+
+std::string_view kind_name(Kind kind) {
+  switch (kind) {
+    case Kind::object:
+      return "an object {}";
+    case Kind::array:
+      return "an array []";
+    case Kind::string:
+      return "a text";
+    case Kind::whole:
+    case Kind::negative:
+    case Kind::real:
+      return "a number";
+    case Kind::boolean:
+      return "a truth value";
+    default:
+      return "null";
+  }
+}
+
+/// A value of the document. `what` names it in messages.
+class Value {
+ public:
+  Value(const Document& document, std::size_t at) : document_(&document), at_(at) {}
+
+  Kind kind() const { return entry().kind; }
+  std::uint32_t line() const { return entry().line; }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(document_->name(), static_cast<int>(line()), what);
+  }
+
+  void require(Kind kind, std::string_view what) const {
+    if (this->kind() != kind)
+      fail(std::string(what) + " must be " + std::string(kind_name(kind)) + ", not " +
+           std::string(kind_name(this->kind())));
+  }
+
+  const std::string& text(std::string_view what) const {
+    require(Kind::string, what);
+    return document_->text(at_);
+  }
+
+  double number(std::string_view what) const {
+    double value = 0;
+    switch (kind()) {
+      case Kind::whole:
+        value = static_cast<double>(entry().whole);
+        break;
+      case Kind::negative:
+        value = static_cast<double>(entry().negative);
+        break;
+      case Kind::real:
+        value = entry().real;
+        break;
+      default:
+        fail(std::string(what) + " must be a number, not " + std::string(kind_name(kind())));
+    }
+    if (!std::isfinite(value)) fail(std::string(what) + " must be a finite number");
+    return value;
+  }
+
+  /// A whole number from 0 to below `end`.
+  std::uint64_t whole(std::string_view what, std::uint64_t end) const {
+    if (kind() != Kind::whole || entry().whole >= end)
+      fail(std::string(what) + " must be a whole number from 0 to " + std::to_string(end - 1));
+    return entry().whole;
+  }
+
+  template <class F>
+  void for_each_element(std::string_view what, F&& f) const {
+    require(Kind::array, what);
+    for (std::size_t i = at_ + 1; i < entry().whole; i = document_->after(i))
+      f(Value(*document_, i));
+  }
+
+  std::size_t count() const {
+    std::size_t n = 0;
+    for (std::size_t i = at_ + 1; i < entry().whole; i = document_->after(i)) ++n;
+    return n;
+  }
+
+  /// Calls f(key, key's place, value) for each member in the order of the text.
+  template <class F>
+  void for_each_member(std::string_view what, F&& f) const {
+    require(Kind::object, what);
+    for (std::size_t i = at_ + 1; i < entry().whole; i = document_->after(i + 1))
+      f(document_->text(i), Value(*document_, i), Value(*document_, i + 1));
+  }
+
+ private:
+  const Document::Entry& entry() const { return document_->entry(at_); }
+
+  const Document* document_;
+  std::size_t at_;
+};
+
+/// The members of one kind of object: none unknown, none twice.
+class Members {
+ public:
+  Members(const Value& value, std::string_view what, std::initializer_list<std::string_view> known)
+      : value_(value), what_(what) {
+    value.for_each_member(what, [&](const std::string& key, const Value& place, const Value& v) {
+      const auto at = std::find(known.begin(), known.end(), key);
+      if (at == known.end())
+        place.fail("unknown key \"" + key + "\" in " + std::string(what) + "; it takes " +
+                   list(known));
+      if (find(key)) place.fail("key \"" + key + "\" stands twice in " + std::string(what));
+      members_[used_++] = {*at, v};
+    });
+  }
+
+  std::optional<Value> find(std::string_view key) const {
+    for (std::size_t i = 0; i < used_; ++i)
+      if (members_[i]->first == key) return members_[i]->second;
+    return std::nullopt;
+  }
+
+  Value get(std::string_view key) const {
+    const std::optional<Value> value = find(key);
+    if (!value) value_.fail("key \"" + std::string(key) + "\" is missing in " + std::string(what_));
+    return *value;
+  }
+
+  /// The members' places in the text, in their order.
+  template <class F>
+  void for_each(F&& f) const {
+    for (std::size_t i = 0; i < used_; ++i) f(members_[i]->first, members_[i]->second);
+  }
+
+ private:
+  static std::string list(std::initializer_list<std::string_view> known) {
+    std::string text;
+    for (const std::string_view key : known) text += (text.empty() ? "" : ", ") + std::string(key);
+    return text;
+  }
+
+  Value value_;
+  std::string_view what_;
+  std::array<std::optional<std::pair<std::string_view, Value>>, 12> members_;
+  std::size_t used_ = 0;
+};
+
+Vec3 read_vec3(const Value& value, std::string_view what) {
+  double c[3] = {};
+  std::size_t n = 0;
+  value.for_each_element(what, [&](const Value& v) {
+    const double number = v.number(what);
+    if (n < 3) c[n] = number;
+    ++n;
+  });
+  if (n != 3) value.fail(std::string(what) + " must have 3 numbers, not " + std::to_string(n));
+  return {c[0], c[1], c[2]};
+}
+
+Colour read_colour(const Value& value, std::string_view what) {
+  std::uint8_t c[3] = {};
+  std::size_t n = 0;
+  value.for_each_element(what, [&](const Value& v) {
+    const auto number = static_cast<std::uint8_t>(v.whole(what, 256));
+    if (n < 3) c[n] = number;
+    ++n;
+  });
+  if (n != 3) value.fail(std::string(what) + " must have 3 numbers, not " + std::to_string(n));
+  return {c[0], c[1], c[2]};
+}
+
+/// Position and attitude, either of which may be missing (then zero).
+Placement read_placement(const Members& members) {
+  Placement placement;
+  if (const auto v = members.find("position")) placement.position = read_vec3(*v, "a position");
+  if (const auto v = members.find("attitude")) {
+    const Vec3 angles = read_vec3(*v, "an attitude");
+    placement.heading = angles.x;
+    placement.pitch = angles.y;
+    placement.roll = angles.z;
+  }
+  return placement;
+}
+
+std::vector<MotionKey> read_motion(const Value& value) {
+  std::vector<MotionKey> motion;
+  value.for_each_element("a motion", [&](const Value& v) {
+    const Members members(v, "a motion key", {"frame", "position", "attitude"});
+    const Value frame = members.get("frame");
+    motion.push_back({frame.number("a frame"), read_placement(members)});
+    if (motion.size() > 1 && !(motion[motion.size() - 2].frame < motion.back().frame))
+      frame.fail("frames of a motion must ascend; put the keys in order and each frame once");
+  });
+  if (motion.empty()) value.fail("a motion needs at least one key; leave it out to stand still");
+  return motion;
+}
+
+DefaultView read_view(const Value& value) {
+  const Members members(value, "the view", {"eye", "look_at", "attitude", "fov"});
+  DefaultView view;
+  view.eye = read_placement(members);
+  view.eye.position = read_vec3(members.get("eye"), "the eye");
+  if (const auto look_at = members.find("look_at")) {
+    if (members.find("attitude"))
+      look_at->fail("the view has both look_at and attitude; keep one of them");
+    const Vec3 d = read_vec3(*look_at, "look_at") - view.eye.position;
+    const double ground = std::hypot(d.x, d.y);
+    if (ground == 0 && d.z == 0) look_at->fail("look_at is the eye itself; move one of them");
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    view.eye.heading = std::atan2(d.x, d.y) * kDegrees;
+    view.eye.pitch = std::atan2(d.z, ground) * kDegrees;
+  }
+  if (const auto fov = members.find("fov")) {
+    view.fov = fov->number("fov");
+    if (!(view.fov > 0 && view.fov < 180))
+      fov->fail("fov must lie between 0 and 180 degrees, both excluded");
+  }
+  return view;
+}
+
+Sun read_sun(const Value& value) {
+  const Members members(value, "the sun", {"azimuth", "elevation"});
+  Sun sun;
+  if (const auto v = members.find("azimuth")) sun.azimuth = v->number("an azimuth");
+  if (const auto v = members.find("elevation")) sun.elevation = v->number("an elevation");
+  return sun;
+}
+
+std::size_t distinct(std::vector<std::uint32_t> indices) {
+  std::sort(indices.begin(), indices.end());
+  return static_cast<std::size_t>(std::unique(indices.begin(), indices.end()) - indices.begin());
+}
+
+Face read_face(const Value& value, std::size_t vertices) {
+  Face face;
+  Value indices = value;
+  if (value.kind() == Kind::object) {
+    const Members members(value, "a face", {"vertices", "colour"});
+    indices = members.get("vertices");
+    if (const auto v = members.find("colour")) face.colour = read_colour(*v, "a colour");
+  }
+  indices.require(Kind::array, "a face's list of vertices");
+  face.vertices.reserve(indices.count());
+  indices.for_each_element("a face", [&](const Value& v) {
+    if (vertices == 0) v.fail("a face names a vertex, but its object has none");
+    face.vertices.push_back(static_cast<std::uint32_t>(v.whole("a vertex of a face", vertices)));
+  });
+  const std::size_t n = distinct(face.vertices);
+  if (n < 3)
+    indices.fail("a face needs at least 3 different vertices, not " + std::to_string(n) +
+                 "; correct or remove it");
+  return face;
+}
+
+/// What the objects and models refer to by number; checked when the whole scene is read.
+struct Reference {
+  Value value;
+  std::uint64_t index;
+};
+
+class SceneReader {
+ public:
+  explicit SceneReader(const Document& document) : root_(document, 0) {}
+
+  ReadResult read() {
+    root_.require(Kind::object, "the scene");
+    check_version();
+    const Members members(
+        root_, "the scene",
+        {"cigsim", "name", "background", "view", "sun", "systems", "models", "objects", "ground"});
+    members.for_each([&](std::string_view key, const Value& value) { member(key, value); });
+    check_references();
+    if (environment_.objects.empty() && environment_.ground.empty())
+      root_.fail("holds no object and no ground; add \"objects\" or \"ground\"");
+    if (empty_objects_ > 0) result_.notices.push_back({"objects without faces", empty_objects_});
+    return std::move(result_);
+  }
+
+ private:
+  void check_version() const {
+    std::optional<Value> version;
+    root_.for_each_member("the scene", [&](const std::string& key, const Value&, const Value& v) {
+      if (key == "cigsim") version = v;
+    });
+    if (!version)
+      root_.fail("is no cigsim scene: key \"cigsim\" is missing; begin with {\"cigsim\": 1, ...");
+    if (version->kind() != Kind::whole || version->whole("cigsim", UINT64_MAX) != 1)
+      version->fail(
+          "this version of the scene format is unknown; this program reads \"cigsim\": 1");
+  }
+
+  void member(std::string_view key, const Value& value) {
+    if (key == "name") environment_.name = value.text("a name");
+    if (key == "background") environment_.background = read_colour(value, "the background");
+    if (key == "view") environment_.view = read_view(value);
+    if (key == "sun") environment_.sun = read_sun(value);
+    if (key == "ground") read_ground(value);
+    if (key == "systems")
+      value.for_each_element("systems", [&](const Value& v) { read_system(v); });
+    if (key == "models")
+      value.for_each_element("models", [&](const Value& v) { read_model(v, std::nullopt); });
+    if (key == "objects") read_top_objects(value);
+  }
+
+  void read_ground(const Value& value) {
+    value.for_each_element("the ground", [&](const Value& v) {
+      const Members members(v, "a ground face", {"vertices", "colour"});
+      GroundFace face;
+      const Value vertices = members.get("vertices");
+      vertices.for_each_element("vertices", [&](const Value& vertex) {
+        face.vertices.push_back(read_vec3(vertex, "a vertex"));
+      });
+      if (face.vertices.size() < 3)
+        vertices.fail("a ground face needs at least 3 vertices, not " +
+                      std::to_string(face.vertices.size()));
+      face.colour = read_colour(members.get("colour"), "a colour");
+      environment_.ground.push_back(std::move(face));
+    });
+  }
+
+  void read_system(const Value& value) {
+    const Members members(value, "a system", {"name", "placement", "motion", "models"});
+    CoordinateSystem system;
+    if (const auto v = members.find("name")) system.name = v->text("a name");
+    const auto placement = members.find("placement");
+    if (placement)
+      system.placement =
+          read_placement(Members(*placement, "a placement", {"position", "attitude"}));
+    if (const auto v = members.find("motion")) {
+      if (placement) v->fail("a system has both placement and motion; keep one of them");
+      system.motion = read_motion(*v);
+    }
+    environment_.systems.push_back(std::move(system));
+    const std::size_t number = environment_.systems.size() - 1;
+    if (const auto v = members.find("models"))
+      v->for_each_element("models", [&](const Value& m) { read_model(m, number); });
+  }
+
+  /// A model of the given system, or one of the top that may name its system by number.
+  void read_model(const Value& value, std::optional<std::size_t> system) {
+    const Members members = system ? Members(value, "a model of a system", {"name", "objects"})
+                                   : Members(value, "a model", {"name", "objects", "system"});
+    Model model;
+    if (const auto v = members.find("name")) model.name = v->text("a name");
+    model.system = static_cast<std::uint32_t>(system.value_or(0));
+    if (const auto v = members.find("system"); v && !system) {
+      model.system = static_cast<std::uint32_t>(v->whole("a system's number", kMost));
+      system_references_.push_back({*v, model.system});
+    }
+    environment_.models.push_back(std::move(model));
+    const std::size_t number = environment_.models.size() - 1;
+    if (const auto v = members.find("objects"))
+      v->for_each_element("objects", [&](const Value& o) { read_object(o, number); });
+  }
+
+  /// Objects of the top that name no model belong to a nameless model of system 0.
+  void read_top_objects(const Value& value) {
+    std::optional<std::size_t> nameless;
+    value.for_each_element("objects", [&](const Value& v) {
+      bool names_model = false;
+      v.for_each_member("an object", [&](const std::string& key, const Value&, const Value&) {
+        names_model = names_model || key == "model";
+      });
+      if (!names_model && !nameless) {
+        nameless = environment_.models.size();
+        environment_.models.push_back({});
+      }
+      read_object(v, names_model ? std::nullopt : nameless);
+    });
+  }
+
+  void read_object(const Value& value, std::optional<std::size_t> model) {
+    const Members members =
+        model ? Members(value, "an object", {"name", "colour", "vertices", "faces"})
+              : Members(value, "an object", {"name", "model", "colour", "vertices", "faces"});
+    Object object;
+    if (const auto v = members.find("name")) object.name = v->text("a name");
+    if (model) {
+      object.model = static_cast<std::uint32_t>(*model);
+    } else {
+      const Value v = members.get("model");
+      object.model = static_cast<std::uint32_t>(v.whole("a model's number", kMost));
+      model_references_.push_back({v, object.model});
+    }
+    std::optional<Colour> colour;
+    if (const auto v = members.find("colour")) colour = read_colour(*v, "a colour");
+    const Value vertices = members.get("vertices");
+    vertices.require(Kind::array, "vertices");
+    object.vertices.reserve(vertices.count());
+    vertices.for_each_element(
+        "vertices", [&](const Value& v) { object.vertices.push_back(read_vec3(v, "a vertex")); });
+    const Value faces = members.get("faces");
+    faces.require(Kind::array, "faces");
+    object.faces.reserve(faces.count());
+    faces.for_each_element("faces", [&](const Value& v) {
+      Face face = read_face(v, object.vertices.size());
+      if (!face.colour) face.colour = colour;
+      object.faces.push_back(std::move(face));
+    });
+    empty_objects_ += object.faces.empty();
+    environment_.objects.push_back(std::move(object));
+  }
+
+  void check_references() const {
+    for (const Reference& r : system_references_)
+      if (r.index >= environment_.systems.size())
+        r.value.fail("there is no system " + std::to_string(r.index) + "; the last is " +
+                     std::to_string(environment_.systems.size() - 1) +
+                     " (0 is the environment itself)");
+    for (const Reference& r : model_references_)
+      if (r.index >= environment_.models.size())
+        r.value.fail("there is no model " + std::to_string(r.index) + "; the scene has " +
+                     std::to_string(environment_.models.size()) + ", counted from 0");
+  }
+
+  static constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+
+  Value root_;
+  ReadResult result_;
+  Environment& environment_ = result_.environment;
+  std::vector<Reference> system_references_, model_references_;
+  std::uint64_t empty_objects_ = 0;
+};
+
+}  // namespace
+
+ReadResult parse_json(std::string_view text, const std::string& name) {
+  const Document document = Document::from_json(text, name);
+  return SceneReader(document).read();
+}
+
+ReadResult read_json(const std::filesystem::path& file) {
+  const std::string bytes = read_whole_file(file);
+  if (lower_ending(file) != "cbor") return parse_json(bytes, file.string());
+  const Document document = Document::from_cbor(bytes, file.string());
+  return SceneReader(document).read();
+}
+
+}  // namespace cigsim
