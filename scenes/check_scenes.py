@@ -3,11 +3,12 @@
 """Checks the scenes beside this script, in exact arithmetic and without the makers' code.
 
 For every JSON scene: faces planar and convex; objects of more than one face closed, convex and
-wound anticlockwise from outside; fixed objects with disjoint interiors (touching is allowed). For
-the airfield: the moving aircraft keep clear of everything at every quarter frame (sampled, with
-doubles). For the decks: Stump's selection gives the published planes, pairs and counts. For
-fuchs-overlap.json: BSP trees by rule 1 have five pieces. Prints a table; exit
-status 1 if anything is wrong."""
+wound anticlockwise from outside; fixed objects with disjoint interiors (touching is allowed); the
+objects of a model, and the fixed models, can be parted step by step by planes of their faces
+without cutting any. For the airfield: the moving aircraft keep clear of everything (sampled at
+every quarter of a frame, with doubles). For the decks: Stump's selection gives the published
+planes, pairs and counts. For fuchs-overlap.json: BSP trees by rule 1 have five pieces.
+Prints a table; the exit status is 1 if anything is wrong."""
 
 import json
 import math
@@ -69,7 +70,7 @@ class Solid:
 
 
 def models_of(scene):
-    """(model name, objects) of system 0, and the same with the system for each moving one."""
+    """(model name, objects) of the fixed system; (system, model name, objects) of the moving."""
     fixed = [(m["name"], m["objects"]) for m in scene.get("models", [])]
     if "objects" in scene:
         fixed.append(("", scene["objects"]))
@@ -135,9 +136,39 @@ def check_scene(path):
         for a, b in combinations(group, 2):
             if len(a.faces) > 1 and len(b.faces) > 1 and not apart(a, b):
                 fault(path.name, f"{a.model} {a.name} and {b.model} {b.name} overlap")
+    check_separable(path.name, solids, [group for _, group in movers])
     check_traffic(path.name, solids, movers)
     report(path.name, solids + [s for _, group in movers for s in group], ground)
     return solids
+
+
+def check_separable(name, fixed, moving):
+    """Stump's condition for a listable set without cuts, within each model and between them."""
+    models = {}
+    for solid in fixed:
+        models.setdefault(solid.model, []).append(solid)
+    for group in [*models.values(), *moving]:
+        if all(len(solid.faces) > 1 for solid in group):
+            divide(f"{name}: {group[0].model}", {s.name: s.vertices for s in group}, group)
+    points = {model: [v for s in group for v in s.vertices] for model, group in models.items()}
+    divide(f"{name}: models", points, fixed)
+
+
+def divide(where, points, solids):
+    """Parts named sets of points by planes of the solids' faces until each stands alone."""
+    planes = [(normal, dot(normal, solid.vertices[face[0]]))
+              for solid in solids for face, normal in zip(solid.faces, solid.normals)]
+    groups = [list(points)]
+    while groups:
+        group = groups.pop()
+        if len(group) < 2:
+            continue
+        tables = ({name: side_of(plane, points[name]) for name in group} for plane in planes)
+        table = next((t for t in tables if set(t.values()) == {1, -1}), None)
+        if table is None:
+            fault(where, "no plane of a face parts " + ", ".join(group))
+        else:
+            groups += [[n for n in group if table[n] == side] for side in (1, -1)]
 
 
 def report(name, solids, ground):
@@ -223,7 +254,7 @@ def plane_through(first, second, third):
 
 def side_of(plane, vertices):
     """1, -1 or 0: on the TRUE side, on the FALSE side, cut."""
-    sides = [dot(plane[0], v) - plane[1] for v in vertices.values()]
+    sides = [dot(plane[0], v) - plane[1] for v in vertices]
     return 1 if min(sides) >= 0 else -1 if max(sides) <= 0 else 0
 
 
@@ -234,7 +265,7 @@ class Selection:
         self.candidates = [plane_through(*(vertices[i] for i in face[:3]))
                            for vertices, faces in objects for face in faces]
         self.candidates += [plane_through(*points) for points in planes]
-        self.table = [[side_of(plane, vertices) for vertices, _ in objects]
+        self.table = [[side_of(plane, vertices.values()) for vertices, _ in objects]
                       for plane in self.candidates]
         self.pairs = {}  # candidate -> TRUE/FALSE pairs, in the order of selection
         self.divide(list(range(len(objects))))

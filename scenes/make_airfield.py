@@ -250,16 +250,22 @@ def windsock():
 
 
 def approach_lights():
-    """Posts on the centre line before the threshold, each with a bar; and slope indicators."""
+    """Posts on the centre line before the threshold, each with a bar."""
     model = Model("approach lights")
     for i in range(5):
         at = Frame(0, -70 - 30 * i)
         half_width = 12 if i == 3 else 2.5
         model.add(f"post {i + 1}", box(-0.25, 0.25, -0.25, 0.25, 0, 3), [220, 120, 40], at)
         model.add(f"bar {i + 1}", box(-half_width, half_width, -0.25, 0.25, 3, 3.75), WHITE, at)
+    return model
+
+
+def slope_indicators():
+    """Boxes beside the touchdown zone that look white from above the glide path, red from below."""
+    model = Model("slope indicators")
     for i, x in enumerate((-45, -39, -33, -27), start=1):
         colour = RED if i > 2 else WHITE
-        model.add(f"slope indicator {i}", box(x - 1.5, x + 1.5, 290, 292, 0, 1.25), colour)
+        model.add(f"box {i}", box(x - 1.5, x + 1.5, 290, 292, 0, 1.25), colour)
     return model
 
 
@@ -367,6 +373,7 @@ def village():
     for i, (x, y) in enumerate(places):
         house(model, f"house {i + 1}", x, y, i)
     church(model, Frame(166, 220))
+    plant(model, broadleaf, [(134, 84, 14), (206, 92, 12), (140, 330, 16), (206, 350, 14)])
     return model
 
 
@@ -377,6 +384,7 @@ def farm():
     model.add("barn", box(-10, 10, -6, 6, 0, 7), [150, 60, 46], at)
     model.add("barn roof", along_x([(-6, 7), (6, 7), (0, 12)], -10, 10), [96, 92, 92], at,
               paint_sloping_or([150, 60, 46]))
+    plant(model, broadleaf, [(-66, -180, 13), (-112, -214, 14), (-136, -196, 12)])
     return model
 
 
@@ -406,22 +414,23 @@ def broadleaf(model, name, x, y, height):
               [(0, 0, height)], [58, 122, 44], Frame(x, y))
 
 
-def trees(name, kind, places):
-    model = Model(name)
+def plant(model, kind, places):
     for i, (x, y, height) in enumerate(places, start=1):
         kind(model, f"tree {i}", x, y, height)
+
+
+def wood(name, kind, places):
+    model = Model(name)
+    plant(model, kind, places)
     return model
 
 
-def all_trees():
+def woods():
     return [
-        trees("south wood", conifer, [(74, -214, 16), (88, -196, 20), (104, -212, 18),
-                                      (96, -170, 22), (116, -186, 16)]),
-        trees("farm trees", broadleaf, [(-66, -180, 13), (-112, -214, 14), (-136, -196, 12)]),
-        trees("village trees", broadleaf, [(134, 84, 14), (206, 92, 12), (140, 330, 16),
-                                           (206, 350, 14)]),
-        trees("east trees", broadleaf, [(150, 520, 14), (170, 600, 16)]),
-        trees("west wood", conifer, [(-290, 60, 24), (-312, 92, 28), (-288, 140, 24)]),
+        wood("south wood", conifer, [(74, -214, 16), (88, -196, 20), (104, -212, 18),
+                                     (96, -170, 22), (116, -186, 16)]),
+        wood("east wood", broadleaf, [(150, 520, 14), (170, 600, 16)]),
+        wood("west wood", conifer, [(-290, 60, 24), (-312, 92, 28), (-288, 140, 24)]),
     ]
 
 
@@ -545,7 +554,7 @@ def write_approach(path):
 
 SHADOW_PARTS = {"terminal": ("roof",), "tower": ("shaft", "cab"), "hangars": ("roof",),
                 "parked airliner": ("body", "wing"), "parked light aircraft": ("cabin", "wing"),
-                "farm": ("roof",), "south wood": ("crown",), "farm trees": ("crown",)}
+                "farm": ("roof", "crown"), "south wood": ("crown",)}
 SHADOW_COLOURS = {name: APRON_SHADOW for name in ("terminal", "hangars", "parked airliner",
                                                   "parked light aircraft")}
 
@@ -563,8 +572,8 @@ def shadows(models):
 
 def airfield():
     models = [terminal(), tower(), hangars(), fuel_farm(), vehicles(), windsock(),
-              approach_lights(), parked_airliner(), parked_light_aircraft(), village(), farm(),
-              *all_trees(), hills()]
+              approach_lights(), slope_indicators(), parked_airliner(), parked_light_aircraft(),
+              village(), farm(), *woods(), hills()]
     return {
         "cigsim": 1,
         "name": "airfield",
