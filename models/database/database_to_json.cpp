@@ -65,34 +65,39 @@ void put_planes(Json& out, const std::vector<Plane>& planes) {
 
 Json set_json(const FaceSet& set) {
   Json out;
-  Json& vertices = out["vertices"] = Json::array();
+  Json vertices = Json::array();
   for (const Vec3& v : set.vertices) append(vertices, v);
-  Json& cut = out["cut_vertices"] = Json::array();
+  Json cut = Json::array();
   for (const CutVertex& c : set.cut_vertices)
     cut.push_back(Json::array(
         {c.vertex, c.position.x.get_str(), c.position.y.get_str(), c.position.z.get_str()}));
+  out["vertices"] = std::move(vertices);
+  out["cut_vertices"] = std::move(cut);
   out["corners"] = set.corners;
   put_planes(out, set.planes);
-  Json& faces = out["faces"] = Json::array();
+  Json faces = Json::array();
   for (const PreparedFace& f : set.faces)
     for (const std::uint32_t field : {f.first_corner, f.corner_count, f.plane, f.object,
                                       packed(f.colour), std::uint32_t{f.two_sided}})
       faces.push_back(field);
-  Json& items = out["items"] = Json::array();
-  Json& spheres = out["spheres"] = Json::array();
+  Json items = Json::array();
+  Json spheres = Json::array();
   for (const Item& item : set.items) {
     for (const std::uint32_t field :
          {item.first_face, item.face_count, item.first_vertex, item.vertex_count})
       items.push_back(field);
     append(spheres, item.sphere);
   }
+  out["faces"] = std::move(faces);
+  out["items"] = std::move(items);
+  out["spheres"] = std::move(spheres);
   return out;
 }
 
 Json hierarchy_json(const PriorityHierarchy& hierarchy) {
   Json out;
   put_planes(out, hierarchy.planes);
-  Json& nodes = out["nodes"] = Json::array();
+  Json nodes = Json::array();
   for (const SeparationNode& node : hierarchy.nodes) {
     nodes.push_back(node.plane);
     nodes.push_back(node.true_child);
@@ -100,18 +105,22 @@ Json hierarchy_json(const PriorityHierarchy& hierarchy) {
     nodes.push_back(node.true_members);
     nodes.push_back(node.false_members);
   }
-  Json& members = out["members"] = Json::array();
-  Json& spheres = out["spheres"] = Json::array();
+  Json members = Json::array();
+  Json spheres = Json::array();
   for (const Member& member : hierarchy.members) {
     members.push_back(std::uint32_t{member.is_group});
     members.push_back(member.index);
     append(spheres, member.sphere);
   }
-  Json& groups = out["groups"] = Json::array();
+  Json groups = Json::array();
   for (const Group& group : hierarchy.groups)
     for (const std::uint32_t field :
          {group.first_member, group.member_count, group.first_node, group.node_count})
       groups.push_back(field);
+  out["nodes"] = std::move(nodes);
+  out["members"] = std::move(members);
+  out["spheres"] = std::move(spheres);
+  out["groups"] = std::move(groups);
   return out;
 }
 
@@ -119,12 +128,13 @@ Json system_json(const PreparedSystem& system) {
   Json out;
   out["name"] = system.name;
   out["placement"] = placement_json(system.placement);
-  Json& motion = out["motion"] = Json::array();
+  Json motion = Json::array();
   for (const MotionKey& key : system.motion) {
     Json row = placement_json(key.placement);
     row.insert(row.begin(), key.frame);
     motion.push_back(std::move(row));
   }
+  out["motion"] = std::move(motion);
   out["sphere"] = sphere_json(system.sphere);
   out["set"] = set_json(system.set);
   out["hierarchy"] = hierarchy_json(system.hierarchy);
@@ -148,9 +158,10 @@ Json report_to_json(const PreparationReport& report) {
   out["depth"] = report.depth;
   out["pairs"] = report.pairs;
   out["seconds"] = report.seconds;
-  Json& notices = out["notices"] = Json::array();
+  Json notices = Json::array();
   for (const Notice& notice : report.notices)
     notices.push_back(Json::array({notice.what, notice.count}));
+  out["notices"] = std::move(notices);
   return out;
 }
 
@@ -164,8 +175,9 @@ Json database_to_json(const Database& database) {
                  {"attitude", Json::array({database.view.eye.heading, database.view.eye.pitch,
                                            database.view.eye.roll})},
                  {"fov", database.view.fov}};
-  Json& systems = out["systems"] = Json::array();
+  Json systems = Json::array();
   for (const PreparedSystem& system : database.systems) systems.push_back(system_json(system));
+  out["systems"] = std::move(systems);
   out["ground"] = set_json(database.ground);
   out["report"] = report_to_json(database.report);
   return out;
