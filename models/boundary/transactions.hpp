@@ -76,7 +76,7 @@ struct RasterFace {
   std::uint32_t object = 0;
   Colour colour;
   std::uint32_t first_edge = 0;
-  std::uint16_t edge_count = 0;
+  std::uint32_t edge_count = 0;
   int first_line = 0, end_line = 0;
 };
 

@@ -285,6 +285,13 @@ class Partitioner {
         }
       }
     }
+    if (!flat.empty()) {
+      unsigned sides = 0;
+      for (const std::uint32_t i : flat)
+        sides |= set_.seen_from(chosen.plane, set_.polygons[set_.items[i].first_polygon]);
+      detach_coplanar(chosen.plane, sides, positive, flat);
+      detach_coplanar(chosen.plane, sides, negative, flat);
+    }
     // Polygons in the plane come between the two sides; the same plane parts them from both.
     Slot slot = task.slot;
     if (!positive.empty() && !(flat.empty() && negative.empty())) {
@@ -303,6 +310,18 @@ class Partitioner {
       leaf_or_task(std::move(flat), slot);
     } else {
       tasks_.push_back({std::move(negative), slot});
+    }
+  }
+
+  // Beside polygons in the plane, faces of other items in the plane that are seen from the same side
+  // belong to the same sheet: only their fixed order decides where they overlap.
+  void detach_coplanar(const Plane& plane, unsigned sides, ItemList& items, ItemList& flat) {
+    for (std::uint32_t& i : items) {
+      const auto [rest, sheet] = set_.detach(plane, i, sides);
+      if (sheet == WorkSet::kNothing) continue;
+      i = rest;
+      flat.push_back(sheet);
+      ++total_;
     }
   }
 

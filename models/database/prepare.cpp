@@ -5,10 +5,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "models/database/face_set_builder.hpp"
 #include "models/database/hierarchy.hpp"
 #include "models/database/partition.hpp"
 #include "models/database/shade.hpp"
 #include "models/database/surface.hpp"
+#include "models/environment/placement.hpp"
 
 namespace cigsim {
 namespace {
@@ -28,9 +30,25 @@ Colour face_colour(const Preparation& p, std::uint32_t object, const Face& face,
   return shaded(colour, plane.normal, towards(p.sun.value_or(Sun{})));
 }
 
+// Systems without motion belong to the environment's own once they are placed.
+bool stands_still(const CoordinateSystem& system) { return system.motion.empty(); }
+
+Object placed(Object object, const Placement& placement) {
+  const Placing place(placement);
+  for (Vec3& v : object.vertices) v = place(v);
+  return object;
+}
+
 // Adds an object's faces to the working set: one item when it is convex, else an item a face.
 void add_object(Preparation& p, WorkSet& set, std::uint32_t object, std::uint32_t& order) {
-  const Surface surface = make_surface(p.environment.objects[object], p.notices);
+  const Object& source_object = p.environment.objects[object];
+  const CoordinateSystem& system =
+      p.environment.systems[p.environment.models[source_object.model].system];
+  const Surface surface = make_surface(
+      stands_still(system) && !(system.placement == Placement{})
+          ? placed(source_object, system.placement)
+          : source_object,
+      p.notices);
   p.report.convex_objects += surface.convex;
   p.report.unclosed_objects += !surface.closed && !surface.faces.empty();
   const auto base = static_cast<std::uint32_t>(set.vertex_count());
@@ -39,57 +57,13 @@ void add_object(Preparation& p, WorkSet& set, std::uint32_t object, std::uint32_
   for (const SurfaceFace& face : surface.faces) {
     corners = face.loop;
     for (std::uint32_t& c : corners) c += base;
-    const Face& source = p.environment.objects[object].faces[face.source];
+    const Face& source = source_object.faces[face.source];
     set.add_polygon(corners, set.add_plane(face.plane),
                     {object + 1, order++, face_colour(p, object, source, face.plane),
                      !surface.closed});
     if (!surface.convex) set.add_item(1);
   }
   if (surface.convex) set.add_item(static_cast<std::uint32_t>(surface.faces.size()));
-}
-
-// The items of one leaf become one item of the database.
-void add_leaf(const WorkSet& work, const std::vector<std::uint32_t>& leaf, FaceSet& out,
-              std::vector<std::uint32_t>& local, std::vector<std::uint32_t>& plane_of) {
-  Item item;
-  item.first_face = static_cast<std::uint32_t>(out.faces.size());
-  item.first_vertex = static_cast<std::uint32_t>(out.vertices.size());
-  std::vector<std::uint32_t> used;
-  for (const std::uint32_t work_item : leaf) {
-    const WorkItem& source = work.items[work_item];
-    for (std::uint32_t p = 0; p < source.polygon_count; ++p) {
-      const WorkPolygon& polygon = work.polygons[source.first_polygon + p];
-      PreparedFace face;
-      face.first_corner = static_cast<std::uint32_t>(out.corners.size());
-      face.corner_count = polygon.corner_count;
-      if (plane_of[polygon.plane] == kNone) {
-        plane_of[polygon.plane] = static_cast<std::uint32_t>(out.planes.size());
-        out.planes.push_back(work.planes[polygon.plane]);
-      }
-      face.plane = plane_of[polygon.plane];
-      face.object = polygon.origin.object;
-      face.colour = polygon.origin.colour;
-      face.two_sided = polygon.origin.two_sided;
-      for (std::uint32_t c = 0; c < polygon.corner_count; ++c) {
-        const std::uint32_t v = work.corners(polygon)[c];
-        if (local[v] == kNone) {
-          local[v] = static_cast<std::uint32_t>(out.vertices.size()) - item.first_vertex;
-          used.push_back(v);
-          if (const ExactVec* exact = work.exact(v))
-            out.cut_vertices.push_back({static_cast<std::uint32_t>(out.vertices.size()), *exact});
-          out.vertices.push_back(work.vertex(v));
-        }
-        out.corners.push_back(local[v]);
-      }
-      out.faces.push_back(face);
-    }
-  }
-  for (const std::uint32_t v : used) local[v] = kNone;
-  item.face_count = static_cast<std::uint32_t>(out.faces.size()) - item.first_face;
-  item.vertex_count = static_cast<std::uint32_t>(out.vertices.size()) - item.first_vertex;
-  item.sphere =
-      enclosing(std::span<const Vec3>(out.vertices).subspan(item.first_vertex, item.vertex_count));
-  out.items.push_back(item);
 }
 
 PreparedSystem prepare_system(Preparation& p, std::uint32_t system,
@@ -101,16 +75,18 @@ PreparedSystem prepare_system(Preparation& p, std::uint32_t system,
   out.motion = source.motion;
   WorkSet work;
   std::uint32_t order = 0;
-  for (std::uint32_t o = 0; o < p.environment.objects.size(); ++o)
-    if (p.environment.models[p.environment.objects[o].model].system == system)
+  for (std::uint32_t o = 0; o < p.environment.objects.size(); ++o) {
+    const std::uint32_t of = p.environment.models[p.environment.objects[o].model].system;
+    if (of == system || (system == 0 && stands_still(p.environment.systems[of])))
       add_object(p, work, o, order);
+  }
   const Partition tree = partition(work, [&](std::uint64_t done, std::uint64_t all) {
     if (progress && done % 256 == 0) progress(static_cast<double>(done) / all);
   });
-  std::vector<std::uint32_t> local(work.vertex_count(), kNone), plane_of(work.planes.size(), kNone);
+  FaceSetBuilder builder(work, out.set);
   for (const std::vector<std::uint32_t>& leaf : tree.leaves) {
     p.report.pieces += leaf.size();
-    add_leaf(work, leaf, out.set, local, plane_of);
+    builder.add(leaf);
   }
   out.hierarchy = build_hierarchy(tree, out.set);
   std::vector<Sphere> spheres;
@@ -156,9 +132,7 @@ FaceSet prepare_ground(Preparation& p) {
     }
   }
   FaceSet out;
-  if (leaf.empty()) return out;
-  std::vector<std::uint32_t> local(work.vertex_count(), kNone), plane_of(work.planes.size(), kNone);
-  add_leaf(work, leaf, out, local, plane_of);
+  if (!leaf.empty()) FaceSetBuilder(work, out).add(leaf);
   return out;
 }
 
@@ -166,11 +140,7 @@ FaceSet prepare_ground(Preparation& p) {
 DefaultView sensible_view(const Database& database) {
   std::vector<Sphere> spheres;
   for (const PreparedSystem& system : database.systems)
-    if (!system.set.items.empty() && system.motion.empty()) {
-      Sphere s = system.sphere;
-      s.centre = s.centre + system.placement.position;
-      spheres.push_back(s);
-    }
+    if (!system.set.items.empty() && system.motion.empty()) spheres.push_back(system.sphere);
   if (spheres.empty())
     for (const Item& item : database.ground.items) spheres.push_back(item.sphere);
   const Sphere all = spheres.empty() ? Sphere{{0, 0, 0}, 1} : enclosing(spheres);
@@ -197,7 +167,8 @@ Database prepare(const Environment& environment, const PrepareOptions& options) 
   database.object_count = static_cast<std::uint32_t>(environment.objects.size());
   for (const Object& object : environment.objects) database.object_names.push_back(object.name);
   for (std::uint32_t s = 0; s < environment.systems.size(); ++s)
-    database.systems.push_back(prepare_system(p, s, options.progress));
+    if (s == 0 || !stands_still(environment.systems[s]))
+      database.systems.push_back(prepare_system(p, s, options.progress));
   database.ground = prepare_ground(p);
   database.view = environment.view.value_or(sensible_view(database));
   p.report.objects = environment.objects.size();

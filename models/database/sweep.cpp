@@ -20,9 +20,10 @@ Sweep sweep(const std::vector<Extent>& sorted, int axis) {
   std::size_t run = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const Extent& e = sorted[i];
-    // Items that lie in one plane across the axis stay together: that plane does not order them.
-    const bool both_flat = e.low == e.high && flat_at == e.low;
-    if (i == 0 || (e.low >= reach && !both_flat)) {
+    // Where a polygon lies in the plane across the axis, others may have faces in it too, which that
+    // plane does not order (the partition makes them one sheet).
+    const bool flat_touch = e.low == reach && (e.low == e.high || flat_at == reach);
+    if (i == 0 || (e.low >= reach && !flat_touch)) {
       if (i > 0) {
         result.positions.push_back(e.low);
         result.largest = std::max(result.largest, i - run);

@@ -127,6 +127,30 @@ std::array<std::uint32_t, 2> WorkSet::cut(const Plane& plane, std::uint32_t item
   return made_items;
 }
 
+bool WorkSet::lies_in(const Plane& plane, const WorkPolygon& polygon) const {
+  for (std::uint32_t c = 0; c < polygon.corner_count; ++c)
+    if (side_of(plane, corners(polygon)[c]) != 0) return false;
+  return true;
+}
+
+std::array<std::uint32_t, 2> WorkSet::detach(const Plane& plane, std::uint32_t item_index,
+                                             unsigned sides) {
+  const WorkItem item = items[item_index];
+  std::vector<WorkPolygon> in, rest;
+  for (std::uint32_t p = 0; p < item.polygon_count; ++p) {
+    const WorkPolygon& polygon = polygons[item.first_polygon + p];
+    const bool take = (seen_from(plane, polygon) & sides) != 0 && lies_in(plane, polygon);
+    (take ? in : rest).push_back(polygon);
+  }
+  if (in.empty() || rest.empty()) return {item_index, kNothing};
+  std::array<std::uint32_t, 2> made{};
+  polygons.insert(polygons.end(), rest.begin(), rest.end());
+  made[0] = add_item(static_cast<std::uint32_t>(rest.size()));
+  polygons.insert(polygons.end(), in.begin(), in.end());
+  made[1] = add_item(static_cast<std::uint32_t>(in.size()));
+  return made;
+}
+
 std::vector<std::uint32_t> WorkSet::explode(std::uint32_t item_index) {
   const WorkItem item = items[item_index];
   std::vector<std::uint32_t> made;

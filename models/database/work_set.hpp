@@ -77,6 +77,20 @@ class WorkSet {
   /// Replaces an item that lies across the plane by its two parts; returns {positive, negative}.
   std::array<std::uint32_t, 2> cut(const Plane& plane, std::uint32_t item);
 
+  /// True when the polygon lies in the plane, exactly.
+  bool lies_in(const Plane& plane, const WorkPolygon& polygon) const;
+
+  /// The sides from which a polygon in the plane is seen: bit 0 the normal's, bit 1 the other.
+  unsigned seen_from(const Plane& plane, const WorkPolygon& polygon) const {
+    if (polygon.origin.two_sided) return 3;
+    return dot(planes[polygon.plane].normal, plane.normal) > 0 ? 1 : 2;
+  }
+
+  /// Takes the polygons of an item that lie in the plane and are seen from one of `sides` out of it;
+  /// returns {the rest, an item of those}, or the item itself and kNothing when there is none.
+  static constexpr std::uint32_t kNothing = 0xffffffffu;
+  std::array<std::uint32_t, 2> detach(const Plane& plane, std::uint32_t item, unsigned sides);
+
   /// Replaces an item by one item a polygon.
   std::vector<std::uint32_t> explode(std::uint32_t item);
 

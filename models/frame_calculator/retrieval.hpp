@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Which groups and items are in view: spheres against the pyramid of vision, from the root down.
+#pragma once
+
+#include <unordered_map>
+
+#include "models/boundary/transactions.hpp"
+
+namespace cigsim::frame_calculator {
+
+/// Members that are active in any case, a mask a group.
+using ForcedMembers = std::unordered_map<std::uint32_t, std::uint64_t>;
+
+/// Conservative: a member is left out only if its sphere is outside beyond all rounding.
+void retrieve(const PriorityHierarchy& hierarchy, const ViewTransform& view,
+              const ForcedMembers& forced, std::vector<ActiveGroup>& out);
+
+}  // namespace cigsim::frame_calculator

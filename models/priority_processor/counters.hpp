@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Priority by counters (Stump 1986, ch. III): for each plane and each TRUE/FALSE pair of members on
+// it, the member on the side opposite the eyepoint is incremented. Count 0 is the highest priority;
+// counts that are not unique are a listability fault.
+#pragma once
+
+#include "models/priority_processor/group_order.hpp"
+
+namespace cigsim::priority_processor {
+
+/// `eye_true`: bit n is set when the eyepoint is on the TRUE side of node n's plane.
+inline void order_by_counters(std::span<const SeparationNode> nodes, std::uint64_t eye_true,
+                              std::uint64_t active, GroupOrder& out) {
+  std::array<std::uint8_t, kGroupCapacity> counts{};
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const bool eye = (eye_true >> n) & 1;
+    const std::uint64_t near_side =
+        active & (eye ? nodes[n].true_members : nodes[n].false_members);
+    const std::uint64_t far_side = active & (eye ? nodes[n].false_members : nodes[n].true_members);
+    // Each far member is in one pair with each near member.
+    const auto pairs = static_cast<std::uint8_t>(std::popcount(near_side));
+    for (std::uint64_t rest = far_side; rest != 0; rest &= rest - 1)
+      counts[std::countr_zero(rest)] = static_cast<std::uint8_t>(counts[std::countr_zero(rest)] + pairs);
+  }
+  list_by_count(active, counts, out);
+}
+
+}  // namespace cigsim::priority_processor

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Priority processor, functional level (Stump 1986, ch. II and III): from the eyepoint and the
+// active groups to one list of items, group by group from the root; then the moving pieces at their
+// places, and the ground last ("objects always have priority over the ground").
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+
+#include "models/boundary/transactions.hpp"
+#include "models/priority_processor/counters.hpp"
+#include "models/priority_processor/so_matrix.hpp"
+
+namespace cigsim::priority_processor {
+
+enum class Method { kCounters, kSoMatrix };
+
+/// TRUE when the eyepoint is on the normal's side or on the plane. In double and Exact the answer
+/// is exact (a filter, then rational arithmetic); float computes in float.
+template <class N>
+bool eye_on_true_side(const Plane& plane, const Vec3& eye) {
+  if constexpr (std::is_same_v<N, float>) {
+    const Vec3T<float> n = convert<float>(plane.normal), p = convert<float>(plane.exact.p);
+    return dot(n, convert<float>(eye) - p) >= 0;
+  } else {
+    return side(plane, eye) >= 0;
+  }
+}
+
+template <class N>
+class Functional {
+ public:
+  explicit Functional(Method method) : method_(method) {}
+
+  void compute(const PriorityHierarchy& hierarchy, const ActiveEnvironment& active,
+               const FaceSet& ground, PriorityList& out) {
+    out.items.clear();
+    out.faults = 0;
+    order_.resize(active.groups.size());
+    for (std::size_t g = 0; g < active.groups.size(); ++g)
+      order_group(hierarchy, active.groups[g], active.view.eye, order_[g]);
+    for (const GroupOrder& order : order_) out.faults += !order.unique;
+    if (active.groups.empty())
+      for (const auto& piece : active.moving) out.items.push_back({SetId::kMoving, piece.item});
+    else
+      list_items(hierarchy, active, out);
+    for (std::uint32_t i = 0; i < ground.items.size(); ++i)
+      out.items.push_back({SetId::kGround, i});
+  }
+
+ private:
+  void order_group(const PriorityHierarchy& hierarchy, const ActiveGroup& active, const Vec3& eye,
+                   GroupOrder& out) const {
+    const Group& group = hierarchy.groups[active.group];
+    const std::span<const SeparationNode> nodes(hierarchy.nodes.data() + group.first_node,
+                                                group.node_count);
+    std::uint64_t eye_true = 0;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      // A plane with active members on one side only resolves nothing in this frame.
+      if (!(nodes[n].true_members & active.active) || !(nodes[n].false_members & active.active))
+        continue;
+      if (eye_on_true_side<N>(hierarchy.planes[nodes[n].plane], eye))
+        eye_true |= std::uint64_t{1} << n;
+    }
+    if (method_ == Method::kCounters)
+      order_by_counters(nodes, eye_true, active.active, out);
+    else
+      order_by_so_matrix(nodes, eye_true, active.active, out);
+  }
+
+  // Opens the groups in order of priority.
+  void list_items(const PriorityHierarchy& hierarchy, const ActiveEnvironment& active,
+                  PriorityList& out) {
+    struct Place {
+      std::uint32_t group, next;
+    };
+    std::vector<Place> stack{{0, 0}};
+    while (!stack.empty()) {
+      Place& at = stack.back();
+      const GroupOrder& order = order_[at.group];
+      if (at.next == order.count) {
+        stack.pop_back();
+        continue;
+      }
+      const ActiveGroup& group = active.groups[at.group];
+      const std::uint32_t m = order.member[at.next++];
+      const std::uint32_t first = hierarchy.groups[group.group].first_member;
+      const Member& member = hierarchy.members[first + m];
+      if (member.is_group) {
+        std::uint32_t child = group.first_child;
+        for (std::uint64_t below = group.active & ((std::uint64_t{1} << m) - 1); below != 0;
+             below &= below - 1)
+          child += hierarchy.members[first + static_cast<std::uint32_t>(std::countr_zero(below))]
+                       .is_group;
+        stack.push_back({child, 0});
+      } else {
+        list_with_pieces(member.index, active, out);
+      }
+    }
+  }
+
+  void list_with_pieces(std::uint32_t item, const ActiveEnvironment& active, PriorityList& out) {
+    const auto& moving = active.moving;
+    auto piece = std::lower_bound(moving.begin(), moving.end(), item,
+                                  [](const auto& p, std::uint32_t i) { return p.neighbour < i; });
+    for (; piece != moving.end() && piece->neighbour == item && piece->before; ++piece)
+      out.items.push_back({SetId::kMoving, piece->item});
+    out.items.push_back({SetId::kStatic, item});
+    for (; piece != moving.end() && piece->neighbour == item; ++piece)
+      out.items.push_back({SetId::kMoving, piece->item});
+  }
+
+  Method method_;
+  std::vector<GroupOrder> order_;
+};
+
+}  // namespace cigsim::priority_processor

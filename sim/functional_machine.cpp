@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "sim/functional_machine.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <variant>
+
+#include "models/edge_orderer/functional.hpp"
+#include "models/frame_calculator/functional.hpp"
+#include "models/geometry_processor/functional.hpp"
+#include "models/priority_processor/functional.hpp"
+#include "models/priority_resolver/coverage.hpp"
+#include "models/priority_resolver/functional.hpp"
+#include "models/video_processor/functional.hpp"
+
+namespace cigsim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point& from) {
+  const Clock::time_point now = Clock::now();
+  const double ms = std::chrono::duration<double, std::milli>(now - from).count();
+  from = now;
+  return ms;
+}
+
+priority_processor::Method method(PriorityMethod m) {
+  return m == PriorityMethod::kCounters ? priority_processor::Method::kCounters
+                                        : priority_processor::Method::kSoMatrix;
+}
+
+// The stages that depend on the number type.
+template <class N>
+struct Stages {
+  explicit Stages(PriorityMethod m) : priority(method(m)) {}
+
+  priority_processor::Functional<N> priority;
+  geometry_processor::Functional<N> geometry;
+  edge_orderer::Functional<N> orderer;
+  priority_resolver::Coverage<N> coverage;
+  EdgeList<N> edges;
+};
+
+}  // namespace
+
+class FunctionalMachine::Impl {
+ public:
+  Impl(const Database& database, const MachineOptions& options)
+      : database_(database), options_(options), frame_calculator_(database) {
+    switch (options.number) {
+      case NumberType::kFloat:
+        stages_.emplace<Stages<float>>(options.priority);
+        break;
+      case NumberType::kDouble:
+        stages_.emplace<Stages<double>>(options.priority);
+        break;
+      case NumberType::kExact:
+        stages_.emplace<Stages<Exact>>(options.priority);
+        break;
+    }
+  }
+
+  const Picture& compute(const Viewpoint& viewpoint, double frame) {
+    const std::uint64_t fallbacks = exact_fallbacks();
+    const Clock::time_point start = Clock::now();
+    Clock::time_point lap = start;
+    stats_ = {};
+    frame_calculator_.compute(viewpoint, options_.raster, frame, active_, moving_);
+    stats_.stages.frame_calculator = milliseconds_since(lap);
+    std::visit(
+        [&](auto& stages) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(stages)>, std::monostate>)
+            run(stages, lap);
+        },
+        stages_);
+    stats_.host_ms = std::chrono::duration<double, std::milli>(lap - start).count();
+    stats_.exact_tests = exact_fallbacks() - fallbacks;
+    stats_.certified = options_.number == NumberType::kExact;
+    return picture_;
+  }
+
+  const FrameStats& stats() const { return stats_; }
+
+ private:
+  template <class N>
+  void run(Stages<N>& s, Clock::time_point& lap) {
+    const Raster& raster = options_.raster;
+    s.priority.compute(database_.systems[0].hierarchy, active_, database_.ground, list_);
+    stats_.stages.priority_processor = milliseconds_since(lap);
+    s.geometry.compute(active_.view, {&database_.systems[0].set, &moving_, &database_.ground},
+                       list_.items, s.edges);
+    stats_.stages.geometry_processor = milliseconds_since(lap);
+    if (options_.resolver == ResolverMethod::kActiveList) {
+      s.orderer.compute(s.edges, raster, crossings_);
+      stats_.stages.edge_orderer = milliseconds_since(lap);
+      stats_.spans = resolver_.compute(crossings_, s.edges.faces.size(), raster, spans_);
+    } else {
+      stats_.spans = s.coverage.compute(s.edges, raster, spans_);
+    }
+    stats_.stages.priority_resolver = milliseconds_since(lap);
+    video_.compute(spans_, s.edges.faces, database_.background, raster, picture_);
+    stats_.stages.video_processor = milliseconds_since(lap);
+    count(s.edges);
+  }
+
+  template <class N>
+  void count(const EdgeList<N>& edges) {
+    stats_.active_items = list_.items.size();
+    stats_.faults = list_.faults;
+    stats_.faces = edges.faces.size();
+    stats_.edges = edges.edges.size();
+    // Crossings begin and end with edges: a running sum over the lines gives each line's.
+    line_changes_.assign(static_cast<std::size_t>(options_.raster.height) + 1, 0);
+    for (const Edge<N>& edge : edges.edges) {
+      stats_.crossings += static_cast<std::uint64_t>(edge.end_line - edge.first_line);
+      ++line_changes_[static_cast<std::size_t>(edge.first_line)];
+      --line_changes_[static_cast<std::size_t>(edge.end_line)];
+    }
+    std::int64_t crossings = 0;
+    for (const std::int64_t change : line_changes_) {
+      crossings += change;
+      stats_.worst_line_crossings =
+          std::max(stats_.worst_line_crossings, static_cast<std::uint64_t>(crossings));
+    }
+  }
+
+  const Database& database_;
+  MachineOptions options_;
+  frame_calculator::Functional frame_calculator_;
+  std::variant<std::monostate, Stages<float>, Stages<double>, Stages<Exact>> stages_;
+  priority_resolver::Functional resolver_;
+  video_processor::Functional video_;
+  ActiveEnvironment active_;
+  FaceSet moving_;
+  PriorityList list_;
+  edge_orderer::OrderedCrossings crossings_;
+  priority_resolver::SpanLines spans_;
+  Picture picture_;
+  FrameStats stats_;
+  std::vector<std::int64_t> line_changes_;
+};
+
+FunctionalMachine::FunctionalMachine(const Database& database, const MachineOptions& options) {
+  const Raster& raster = options.raster;
+  if (raster.width < 1 || raster.width > 16384 || raster.height < 1 || raster.height > 16384)
+    throw std::invalid_argument("raster: width and height must lie in 1..16384");
+  impl_ = std::make_unique<Impl>(database, options);
+}
+FunctionalMachine::~FunctionalMachine() = default;
+FunctionalMachine::FunctionalMachine(FunctionalMachine&&) noexcept = default;
+
+const Picture& FunctionalMachine::compute(const Viewpoint& viewpoint, double frame) {
+  return impl_->compute(viewpoint, frame);
+}
+const FrameStats& FunctionalMachine::stats() const { return impl_->stats(); }
+
+Placement look_at(const Vec3& eye, const Vec3& target) {
+  const Vec3 d = target - eye;
+  const double level = std::hypot(d.x, d.y);
+  if (level == 0 && d.z == 0)
+    throw std::invalid_argument("the eyepoint and the point looked at are the same");
+  Placement placement;
+  placement.position = eye;
+  placement.heading = level == 0 ? 0 : std::atan2(d.x, d.y) * 180 / std::numbers::pi;
+  placement.pitch = std::atan2(d.z, level) * 180 / std::numbers::pi;
+  return placement;
+}
+
+}  // namespace cigsim
