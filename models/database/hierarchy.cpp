@@ -40,7 +40,7 @@ class Builder {
 
   PriorityHierarchy run() {
     if (tree_.leaves.empty()) return {};
-    count_leaves();
+    mark_groups();
     std::vector<std::int32_t> roots{tree_.nodes.empty() ? -1 : 0};
     // Breadth first: a group's subgroups get the next free numbers, in member order.
     for (std::size_t at = 0; at < roots.size(); ++at) make_group(roots[at], roots);
@@ -50,17 +50,32 @@ class Builder {
   }
 
  private:
-  void count_leaves() {
-    // Children come after their parents, so one pass from the end counts.
-    leaves_.assign(tree_.nodes.size(), 0);
-    for (std::size_t n = tree_.nodes.size(); n-- > 0;)
-      leaves_[n] = count(tree_.nodes[n].true_child) + count(tree_.nodes[n].false_child);
+  // From the leaves up: where two subtrees have more than a group's members together, the larger one
+  // becomes a group and counts as one member from there on. Groups are at least half full so.
+  void mark_groups() {
+    is_group_.assign(tree_.nodes.size(), false);
+    std::vector<std::uint32_t> members(tree_.nodes.size(), 0);
+    const auto weight = [&](std::int32_t child) {
+      return child < 0 || is_group_[static_cast<std::size_t>(child)]
+                 ? 1
+                 : members[static_cast<std::size_t>(child)];
+    };
+    // Children come after their parents, so one pass from the end suffices.
+    for (std::size_t n = tree_.nodes.size(); n-- > 0;) {
+      const PartitionNode& node = tree_.nodes[n];
+      while (weight(node.true_child) + weight(node.false_child) > kGroupCapacity) {
+        const bool larger_true = weight(node.true_child) >= weight(node.false_child);
+        is_group_[static_cast<std::size_t>(larger_true ? node.true_child : node.false_child)] =
+            true;
+      }
+      members[n] = weight(node.true_child) + weight(node.false_child);
+    }
   }
-  std::uint64_t count(std::int32_t child) const {
-    return child < 0 ? 1 : leaves_[static_cast<std::size_t>(child)];
+  bool is_member(std::int32_t child) const {
+    return child < 0 || is_group_[static_cast<std::size_t>(child)];
   }
 
-  // A subtree that is to be a member, and where in the group it hangs.
+  // A subtree, and where in the group it hangs.
   struct Open {
     std::int32_t child;
     std::int32_t parent;  // node within the group
@@ -72,34 +87,34 @@ class Builder {
     group.first_member = static_cast<std::uint32_t>(out_.members.size());
     group.first_node = static_cast<std::uint32_t>(out_.nodes.size());
     std::vector<Open> open{{root, -1, false}};
-    while (open.size() < kGroupCapacity) {
-      const auto widest = std::max_element(open.begin(), open.end(), [&](auto& a, auto& b) {
-        return count(a.child) < count(b.child);
-      });
-      if (widest->child < 0) break;
-      const Open parent = *widest;
-      const PartitionNode& source = tree_.nodes[static_cast<std::size_t>(parent.child)];
+    for (std::size_t at = 0; at < open.size(); ++at) {
+      const Open subtree = open[at];
+      if (subtree.child < 0 || (at > 0 && is_member(subtree.child))) {
+        add_member(group, subtree, roots);
+        continue;
+      }
+      const PartitionNode& source = tree_.nodes[static_cast<std::size_t>(subtree.child)];
       const auto node = static_cast<std::int32_t>(group.node_count++);
       out_.nodes.push_back({source.plane, 0, 0, 0, 0});
-      attach(group, parent, node);
-      *widest = {source.true_child, node, true};
+      attach(group, subtree, node);
+      open.push_back({source.true_child, node, true});
       open.push_back({source.false_child, node, false});
-    }
-    group.member_count = static_cast<std::uint32_t>(open.size());
-    for (std::size_t m = 0; m < open.size(); ++m) {
-      attach(group, open[m], ~static_cast<std::int32_t>(m));
-      Member member;
-      member.is_group = open[m].child >= 0;
-      if (member.is_group) {
-        member.index = static_cast<std::uint32_t>(roots.size());
-        roots.push_back(open[m].child);
-      } else {
-        member.index = static_cast<std::uint32_t>(~open[m].child);
-      }
-      out_.members.push_back(member);
     }
     fill_masks(group);
     out_.groups.push_back(group);
+  }
+
+  void add_member(Group& group, const Open& at, std::vector<std::int32_t>& roots) {
+    attach(group, at, ~static_cast<std::int32_t>(group.member_count++));
+    Member member;
+    member.is_group = at.child >= 0;
+    if (member.is_group) {
+      member.index = static_cast<std::uint32_t>(roots.size());
+      roots.push_back(at.child);
+    } else {
+      member.index = static_cast<std::uint32_t>(~at.child);
+    }
+    out_.members.push_back(member);
   }
 
   void attach(const Group& group, const Open& at, std::int32_t child) {
@@ -138,7 +153,7 @@ class Builder {
 
   const Partition& tree_;
   const FaceSet& set_;
-  std::vector<std::uint64_t> leaves_;
+  std::vector<bool> is_group_;  // by node of the tree
   PriorityHierarchy out_;
 };
 

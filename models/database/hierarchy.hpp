@@ -9,8 +9,8 @@
 
 namespace cigsim {
 
-/// Leaf k of the tree is item k of the set. Groups are cut from the tree from its root, the
-/// largest subtrees opened first.
+/// Leaf k of the tree is item k of the set. Groups are cut from the
+/// tree from its leaves, each at least half full but the root.
 PriorityHierarchy build_hierarchy(const Partition& partition, const FaceSet& set);
 
 /// A sphere around spheres, grown to cover rounding.
