@@ -15,7 +15,7 @@ from scene_tools import (Frame, GRID, Model, along_x, along_y, box, ground_face,
                          paint_top, ring, scaled, snap, taper, upright, write_scene)
 
 FRAMES = 300
-SUN = {"azimuth": 235, "elevation": 38}
+SUN = {"azimuth": 150, "elevation": 38}
 
 SKY = [126, 178, 226]
 HAZE = [122, 160, 132]
