@@ -3,8 +3,9 @@
 // a node that has meshes; vertices at the same place are one vertex, so that closed meshes are
 // closed again after a format has split them by normals, texture or material.
 //
-// Axes: glTF and AC3D have y up and are turned; Assimp turns 3DS to y up, which is taken back; PLY,
-// STL and OFF are taken as they stand.
+// Axes: glTF and AC3D have y up and are turned; Assimp turns 3DS to y up, which is taken back; STL
+// and OFF are taken as they stand.
+#include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -14,9 +15,9 @@
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <numeric>
 
 #include "models/environment/input_error.hpp"
+#include "models/environment/mesh_repair.hpp"
 #include "models/environment/read.hpp"
 #include "models/environment/text_file.hpp"
 
@@ -50,40 +51,6 @@ std::string one_line(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
   return text;
-}
-
-/// Makes vertices at the same place one, in the order of their first use.
-void join_vertices(Object& object) {
-  std::vector<std::uint32_t> order(object.vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t i) {
-    const Vec3& v = object.vertices[i];
-    return std::tuple(v.x, v.y, v.z, i);
-  };
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
-  std::vector<std::uint32_t> first(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && object.vertices[order[i]] == object.vertices[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
-  }
-  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> joined(order.size(), kNone);
-  std::vector<Vec3> vertices;
-  for (Face& face : object.faces)
-    for (std::uint32_t& v : face.vertices) {
-      std::uint32_t& place = joined[first[v]];
-      if (place == kNone) {
-        place = static_cast<std::uint32_t>(vertices.size());
-        vertices.push_back(object.vertices[first[v]]);
-      }
-      v = place;
-    }
-  object.vertices = std::move(vertices);
-}
-
-bool has_three_distinct(std::vector<std::uint32_t> vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  return std::unique(vertices.begin(), vertices.end()) - vertices.begin() >= 3;
 }
 
 class MeshReader {
@@ -133,11 +100,7 @@ class MeshReader {
       add_mesh(*scene_.mMeshes[node.mMeshes[i]], transform, object);
     }
     join_vertices(object);
-    std::erase_if(object.faces, [&](const Face& face) {
-      const bool degenerate = !has_three_distinct(face.vertices);
-      degenerate_faces_ += degenerate;
-      return degenerate;
-    });
+    degenerate_faces_ += drop_degenerate_faces(object);
     if (object.faces.empty()) {
       ++empty_nodes_;
       return;
@@ -209,6 +172,8 @@ class MeshReader {
 ReadResult read_mesh(const std::filesystem::path& file) {
   read_whole_file(file);
   Assimp::Importer importer;
+  // The faces that the file lists, not a surface subdivided from them.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_AC_EVAL_SUBDIVISION, false);
   const aiScene* scene = nullptr;
   std::string reason;
   try {

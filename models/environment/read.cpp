@@ -24,7 +24,7 @@ constexpr std::array<Format, 11> kFormats{{{"json", read_json},
                                            {"ac", read_mesh},
                                            {"gltf", read_mesh},
                                            {"glb", read_mesh},
-                                           {"ply", read_mesh},
+                                           {"ply", read_ply},
                                            {"stl", read_mesh},
                                            {"off", read_mesh},
                                            {"3ds", read_mesh}}};
@@ -50,9 +50,9 @@ ReadResult read_environment(const std::filesystem::path& file) {
     throw InputError(file.string(), 0, "is a folder; name a scene file inside it");
   if (!std::filesystem::exists(file, error))
     throw InputError(file.string(), 0, "no such file; check the name and the folder");
-  throw InputError(file.string(), 0,
-                   (ending.empty() ? "has no ending" : "has the unknown ending ." + ending) +
-                       "; give a scene whose name ends in " + all_endings());
+  std::string what = "has no ending";
+  if (!ending.empty()) what.assign("has the unknown ending .").append(ending);
+  throw InputError(file.string(), 0, what + "; give a scene whose name ends in " + all_endings());
 }
 
 }  // namespace cigsim

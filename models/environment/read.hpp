@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "models/environment/environment.hpp"
@@ -23,13 +24,14 @@ struct ReadResult {
 };
 
 /// Reads .json and .cbor (the project's own, docs/scene-format.md), .deck (Stump 1986, app. A),
-/// .obj, and through Assimp .ac, .gltf, .glb, .ply, .stl, .off, .3ds.
+/// .obj, .ply, and through Assimp .ac, .gltf, .glb, .stl, .off, .3ds.
 /// Throws InputError on anything unusable.
 ReadResult read_environment(const std::filesystem::path& file);
 
 ReadResult read_json(const std::filesystem::path& file);
 ReadResult read_deck(const std::filesystem::path& file);
 ReadResult read_obj(const std::filesystem::path& file);
+ReadResult read_ply(const std::filesystem::path& file);
 ReadResult read_mesh(const std::filesystem::path& file);
 
 /// Reads the project's JSON from memory; `name` stands for the file in messages.
