@@ -5,10 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
+
+#include "models/environment/text_file.hpp"
 
 namespace cigsim {
 namespace {
@@ -89,12 +89,10 @@ Sun parse_sun(std::string_view what, std::string_view text) {
 
 void check_ending(std::string_view what, const std::string& file,
                   std::initializer_list<std::string_view> endings) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = lower_ending(file);
   if (std::find(endings.begin(), endings.end(), ending) == endings.end())
     throw UsageError(
-        fmt::format("{}: '{}' must end in {}", what, file, fmt::join(endings, " or ")));
+        fmt::format("{}: '{}' must end in .{}", what, file, fmt::join(endings, " or .")));
 }
 
 void fail_on_choice(std::string_view what, std::string_view text,

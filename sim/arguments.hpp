@@ -46,7 +46,7 @@ Sun parse_sun(std::string_view what, std::string_view text);
 [[noreturn]] void fail_on_choice(std::string_view what, std::string_view text,
                                  const std::vector<std::string_view>& choices);
 
-/// Throws unless the file's name ends in one of `endings` (capitals or not).
+/// Throws unless the file's name ends in one of `endings` (without the dot; capitals or not).
 void check_ending(std::string_view what, const std::string& file,
                   std::initializer_list<std::string_view> endings);
 

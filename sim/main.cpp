@@ -4,16 +4,20 @@
 // Exit codes: 0 success, 1 a comparison or check failed, 2 unusable input or wrong usage, with one
 // line on standard error.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
+#include "sim/commands/help.hpp"
 #include "sim/stats.hpp"
 
 namespace {
@@ -31,6 +35,16 @@ std::string name_of_given(const CLI::App& program) {
   return given.empty() ? "cigsim" : "cigsim " + given.front()->get_name();
 }
 
+// What a parse error says, in our words where the parser's do not tell the cause.
+std::string cause(const CLI::App& program, const CLI::ParseError& error, int argc, char** argv) {
+  if (!program.get_subcommands().empty()) return error.what();
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  const std::string known = fmt::format("choose from {}", fmt::join(names, ", "));
+  if (argc < 2) return "a command is missing; " + known;
+  return fmt::format("'{}' is no command; {}", argv[1], known);
+}
+
 int parse_and_run(CLI::App& program, int argc, char** argv, const int& exit_code) {
   try {
     program.parse(argc, argv);
@@ -40,7 +54,8 @@ int parse_and_run(CLI::App& program, int argc, char** argv, const int& exit_code
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", program.help());
   } catch (const CLI::ParseError& error) {
-    return fail(fmt::format("{}; see {} --help", error.what(), name_of_given(program)));
+    return fail(fmt::format("{}; see {} --help", cause(program, error, argc, argv),
+                            name_of_given(program)));
   } catch (const cigsim::UsageError& error) {
     return fail(fmt::format("{}; see {} --help", error.what(), name_of_given(program)));
   } catch (const std::bad_alloc&) {
@@ -60,6 +75,7 @@ int main(int argc, char** argv) {
       "Emulator of a Computer Image Generator of the 1970s: a scene goes in, frames come out");
   program.name("cigsim");
   program.set_version_flag("--version", std::string("cigsim ") + cigsim::version());
+  program.formatter(std::make_shared<cigsim::HelpFormatter>());
   program.require_subcommand(1);
   program.footer(
       "Start with:\n"

@@ -2,18 +2,14 @@
 #include "sim/path.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 
 #include "models/environment/input_error.hpp"
+#include "models/environment/text_file.hpp"
 #include "sim/arguments.hpp"
 
 namespace cigsim {
@@ -127,12 +123,7 @@ std::vector<PathRow> parse_path(std::string_view text, const std::string& name) 
 }
 
 std::vector<PathRow> read_path(const std::filesystem::path& file) {
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in.good() && !in.eof())
-    throw InputError(file.string(), 0, std::string("cannot be read: ") + std::strerror(errno));
-  return parse_path(text, file.string());
+  return parse_path(read_whole_file(file), file.string());
 }
 
 PathRow at_position(const std::vector<PathRow>& rows, double position) {

@@ -80,7 +80,8 @@ void add_view_options(CLI::App& command, ViewOptions& o) {
       "Vertical field of view, between 0 and 180 degrees. Default: the path's or the scene's");
   CLI::Option* path = add(
       "--path", "FILE.csv", [&](const Text& t) { o.path = t; },
-      "Fly along a table of viewpoints: its first line names the columns x,y,z,heading,pitch,roll "
+      "Instead of --eye: fly along a table of viewpoints: its first line names the columns "
+      "x,y,z,heading,pitch,roll "
       "and, if wanted, fov; one row a frame. The word 'builtin' means the airfield's approach");
   add(
       "--frames", "N",

@@ -2,14 +2,11 @@
 #include "models/database/database_file.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "models/database/database_json.hpp"
 #include "models/environment/input_error.hpp"
+#include "models/environment/text_file.hpp"
 #include "models/environment/write.hpp"
 
 namespace cigsim {
@@ -22,10 +19,8 @@ constexpr const char* kSceneTag = "cigsim";
 enum class Form { kNeither, kText, kCbor };
 
 Form form_of(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".json" ? Form::kText : ending == ".cbor" ? Form::kCbor : Form::kNeither;
+  const std::string ending = lower_ending(file);
+  return ending == "json" ? Form::kText : ending == "cbor" ? Form::kCbor : Form::kNeither;
 }
 
 [[noreturn]] void fail_on_ending(const std::filesystem::path& file) {
@@ -80,23 +75,13 @@ class DepthSearch : public TagSearch {
   bool key(string_t&) override { return true; }
 };
 
-std::string contents(const std::filesystem::path& file) {
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.good() && !in.eof())
-    throw InputError(file.string(), 0,
-                     std::string("cannot be read: ") + std::strerror(errno == 0 ? EIO : errno));
-  return bytes;
-}
-
 int line_of(const std::string& bytes, std::size_t position) {
   const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(std::min(position, bytes.size()));
   return 1 + static_cast<int>(std::count(bytes.begin(), end, '\n'));
 }
 
 Json parse(const std::filesystem::path& file, Form form) {
-  const std::string bytes = contents(file);
+  const std::string bytes = read_whole_file(file);
   if (form == Form::kCbor) {
     DepthSearch depth;
     Json::sax_parse(bytes, &depth, Json::input_format_t::cbor);

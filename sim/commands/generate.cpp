@@ -29,7 +29,7 @@ void check(const Options& options) {
   for (const GenerateKind& kind : generate_kinds()) names.push_back(kind.name);
   if (std::find(names.begin(), names.end(), options.kind) == names.end())
     fail_on_choice("KIND", options.kind, names);
-  check_ending("-o", options.output, {".json", ".cbor", ".obj"});
+  check_ending("-o", options.output, {"json", "cbor", "obj"});
 }
 
 int generate(const Options& options) {
@@ -72,7 +72,8 @@ void add_generate(CLI::App& program, int& exit_code) {
       program.add_subcommand("generate", "Make a scene of any size from a kind and a seed");
   command->footer(footer());
   command->add_option("KIND", options->kind, "What to make; the kinds are listed below")
-      ->required();
+      ->required()
+      ->type_name("");
   command
       ->add_option_function<std::string>(
           "--objects",

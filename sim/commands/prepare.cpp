@@ -25,7 +25,7 @@ struct Options {
 };
 
 void check(const Options& options) {
-  check_ending("-o", options.output, {".json", ".cbor"});
+  check_ending("-o", options.output, {"json", "cbor"});
   for (const std::string& input : options.inputs) {
     std::error_code none;
     if (std::filesystem::equivalent(input, options.output, none))
@@ -37,7 +37,7 @@ void check(const Options& options) {
 
 void print_report(const PreparationReport& report, const std::string& output) {
   const auto row = [](const char* name, std::uint64_t value, const char* meaning) {
-    fmt::print("{:<18}{:>12}  {}\n", name, value, meaning);
+    fmt::print("{:<18}{:>12}{}{}\n", name, value, *meaning == '\0' ? "" : "  ", meaning);
   };
   row("objects", report.objects, "");
   row("faces", report.faces, "");
@@ -87,7 +87,7 @@ void add_prepare(CLI::App& program, int& exit_code) {
       "  cigsim prepare airport.obj -o airport.cbor\n"
       "  cigsim prepare town.json tower.ac --sun 225,45 -o scene.json\n"
       "  cigsim run scene.json\n");
-  command->add_option("INPUT", options->inputs, "Scene files")->required()->type_name("");
+  command->add_option("INPUT", options->inputs, "Scene files")->required()->type_name("...");
   command
       ->add_option("-o,--output", options->output,
                    "The prepared database; .json can be read by people, .cbor is smaller")

@@ -161,7 +161,8 @@ void print_table(const LoadedScene& scene, const Raster& raster,
                  const std::vector<Attribute>& attributes) {
   const auto print = [](const std::vector<Figure>& rows) {
     for (const Figure& row : rows)
-      fmt::print("  {:<24}{:>12}  {}\n", row.name, row.value, row.meaning);
+      fmt::print("  {:<24}{:>12}{}{}\n", row.name, row.value, *row.meaning == '\0' ? "" : "  ",
+                 row.meaning);
   };
   fmt::print("The scene ({})\n", scene.name);
   print(database);

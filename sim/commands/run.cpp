@@ -92,6 +92,8 @@ void print_summary(const RunRecord& run, const std::filesystem::path& folder) {
              run.frames.size());
   if (numbers_saturate(*run.database))
     fmt::print("Numbers   65535 in ids-NNNN.pgm stands for that number and all above\n");
+  for (const Notice& notice : run.database->report.notices)
+    fmt::print("Notice    {} x {}\n", notice.count, notice.what);
   if (run.frames.empty()) return;
   const auto files = [&](const std::string& first, const std::string& last) {
     return (folder / first).string() + (first == last ? "" : " to " + last);
