@@ -72,8 +72,10 @@ ReadResult merge(std::vector<ReadResult> parts) {
 
 Database prepare_scene(const ReadResult& scene, const std::optional<Sun>& sun) {
   Progress progress("preparing");
-  Database database =
-      prepare(scene.environment, {sun, [&](double share) { progress.show(share); }});
+  PrepareOptions options;
+  options.sun = sun;
+  options.progress = [&](double share) { progress.show(share); };
+  Database database = prepare(scene.environment, options);
   std::vector<Notice> notices = scene.notices;
   append(notices, database.report.notices);
   database.report.notices = std::move(notices);
