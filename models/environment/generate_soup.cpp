@@ -5,8 +5,8 @@
 namespace cigsim {
 namespace {
 
-/// Places stand 16 apart on average, and shapes reach up to 24: most meet a few others.
-constexpr double kSpacing = 16, kReach = 12;
+/// Places stand 8 apart on average and edges are up to 20 long: most shapes meet a few others.
+constexpr double kSpacing = 8, kReach = 12;
 
 Vec3 offset(Random& random) {
   return on_grid(Vec3{random.between(-kReach, kReach), random.between(-kReach, kReach),

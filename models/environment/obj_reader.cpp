@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <string_view>
 #include <unordered_map>
@@ -161,15 +162,11 @@ class ObjReader {
     const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (stop != word.data() + word.size() || error == std::errc::invalid_argument)
       fail("\"" + std::string(whole) + "\" is no coordinate; write a decimal number");
-    if (error == std::errc::result_out_of_range) value = out_of_range_value(whole);
+    // Too small for a double reads as 0, too large as infinity.
+    if (error == std::errc::result_out_of_range)
+      value = std::strtod(std::string(whole).c_str(), nullptr);
     if (!std::isfinite(value))
       fail("\"" + std::string(whole) + "\" is not finite; write a finite coordinate");
-    return value;
-  }
-
-  /// Too small for a double reads as 0, too large stays an error.
-  static double out_of_range_value(std::string_view word) {
-    const double value = std::strtod(std::string(word).c_str(), nullptr);
     return value;
   }
 
