@@ -27,7 +27,8 @@ Rays make_rays(const ViewTransform& view) {
   rays.right = cv * sign;
   rays.down = cw * Exact(-sign);
   const Exact half(0.5);
-  const Exact c0(half - Exact(view.raster.width) * half), r0(half - Exact(view.raster.height) * half);
+  const Exact c0(half - Exact(view.raster.width) * half),
+      r0(half - Exact(view.raster.height) * half);
   rays.base = cu * Exact(sign * Exact(view.focal)) + rays.right * c0 + rays.down * r0;
   rays.base_d = rounded(rays.base);
   rays.right_d = rounded(rays.right);
@@ -99,6 +100,16 @@ bool hit(const Cone& cone, const Rays& rays, const Vec3& d, int c, int r) {
   return true;
 }
 
+// True when cone a is hit nearer than cone b by the sample moved a little right and then much less
+// down: 1 / t is linear over the raster. Faces that stay level are not nearer than each other.
+bool nearer_at(const Cone& a, const Cone& b, const Rays& rays, int c, int r) {
+  for (const ExactVec& step : {exact_ray(rays, c, r), rays.right, rays.down}) {
+    const Exact pa = dot(a.normal, step) / a.offset, pb = dot(b.normal, step) / b.offset;
+    if (pa != pb) return pa > pb;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<OraclePolygon> oracle_polygons(const Environment& environment, bool two_sided) {
@@ -133,11 +144,8 @@ std::vector<std::uint16_t> cast_rays(const std::vector<OraclePolygon>& polygons,
         if (!hit(cone, rays, d, c, r)) continue;
         const double t = cone.offset_d / dot(cone.normal_d, d);
         bool nearer = nearest == nullptr || t < nearest_t;
-        if (nearest != nullptr && !(std::abs(t - nearest_t) > 1e-6 * std::abs(nearest_t))) {
-          const ExactVec ray = exact_ray(rays, c, r);
-          nearer = cone.offset / dot(cone.normal, ray) <
-                   nearest->offset / dot(nearest->normal, ray);
-        }
+        if (nearest != nullptr && !(std::abs(t - nearest_t) > 1e-6 * std::abs(nearest_t)))
+          nearer = nearer_at(cone, *nearest, rays, c, r);
         if (!nearer) continue;
         nearest = &cone;
         nearest_t = t;
@@ -153,13 +161,15 @@ double distance_to_edge(const std::vector<OraclePolygon>& polygons, const ViewTr
   struct Point {
     double u, x, y;  // x, y times u
   };
-  const double cx = column + 0.5 - view.raster.width / 2.0, cy = row + 0.5 - view.raster.height / 2.0;
+  const double cx = column + 0.5 - view.raster.width / 2.0,
+               cy = row + 0.5 - view.raster.height / 2.0;
   double best = std::numeric_limits<double>::infinity();
   for (const OraclePolygon& polygon : polygons)
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
       Point p[2];
       for (int k = 0; k < 2; ++k) {
-        const Vec3 v = view.rotation * (polygon.vertices[(i + k) % polygon.vertices.size()] - view.eye);
+        const Vec3 v =
+            view.rotation * (polygon.vertices[(i + k) % polygon.vertices.size()] - view.eye);
         p[k] = {v.x, view.focal * v.y, -view.focal * v.z};
       }
       const double tiny = 1e-9 * (std::abs(p[0].u) + std::abs(p[1].u));

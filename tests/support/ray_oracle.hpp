@@ -21,9 +21,9 @@ struct OraclePolygon {
 /// All faces of an environment's objects as they stand (system 0 only).
 std::vector<OraclePolygon> oracle_polygons(const Environment& environment, bool two_sided);
 
-/// Object numbers, row by row from the top; 0 where no polygon is hit. A sample on an edge counts as
-/// a little to the right of it, or below a level one. Of coplanar polygons the first in the list is
-/// seen.
+/// Object numbers, row by row from the top; 0 where no polygon is hit. A sample on an edge counts
+/// as a little to the right of it, or below a level one. Of coplanar polygons the first in the list
+/// is seen.
 std::vector<std::uint16_t> cast_rays(const std::vector<OraclePolygon>& polygons,
                                      const ViewTransform& view);
 

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/picture_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <sstream>
+
+#include "models/database/prepare.hpp"
+#include "models/database/traversal.hpp"
+#include "models/frame_calculator/functional.hpp"
+#include "models/geometry_processor/functional.hpp"
+#include "models/priority_resolver/coverage.hpp"
+#include "models/video_processor/functional.hpp"
+#include "sim/functional_machine.hpp"
+#include "tests/support/viewpoints.hpp"
+
+namespace cigsim::test {
+namespace {
+
+// The plane of a polygon relative to the eyepoint.
+struct FacePlane {
+  const OraclePolygon* polygon;
+  Vec3 normal;
+  double offset;
+};
+
+std::vector<FacePlane> planes_of(const std::vector<OraclePolygon>& polygons, std::uint32_t object,
+                                 const Vec3& eye) {
+  std::vector<FacePlane> planes;
+  for (const OraclePolygon& p : polygons) {
+    if (p.object != object) continue;
+    const Vec3 a = p.vertices[0] - eye;
+    Vec3 normal;
+    for (std::size_t i = 2; i < p.vertices.size() && normal == Vec3{}; ++i)
+      normal = cross(p.vertices[i - 1] - p.vertices[0], p.vertices[i] - p.vertices[0]);
+    planes.push_back({&p, normal, dot(normal, a)});
+  }
+  return planes;
+}
+
+bool covers(const OraclePolygon& polygon, const Vec3& eye, const Vec3& ray) {
+  int inside = 0, outside = 0;
+  for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
+    const Vec3 a = polygon.vertices[i] - eye,
+               b = polygon.vertices[(i + 1) % polygon.vertices.size()] - eye;
+    const double s = dot(cross(a, b), ray);
+    inside += s >= 0;
+    outside += s <= 0;
+  }
+  const int n = static_cast<int>(polygon.vertices.size());
+  return inside == n || outside == n;
+}
+
+std::vector<std::uint16_t> machine_picture(const Database& database, const MachineOptions& options,
+                                           const Viewpoint& viewpoint, std::uint32_t& faults) {
+  FunctionalMachine machine(database, options);
+  std::vector<std::uint16_t> numbers = machine.compute(viewpoint, 0).numbers;
+  faults += machine.stats().faults;
+  return numbers;
+}
+
+std::string differences(const std::vector<std::uint16_t>& want,
+                        const std::vector<std::uint16_t>& got, int width) {
+  std::ostringstream text;
+  int count = 0;
+  for (std::size_t i = 0; i < want.size(); ++i) {
+    if (want[i] == got[i] || ++count > 3) continue;
+    text << " (" << i % width << "," << i / width << ") is " << got[i] << ", must be " << want[i]
+         << ";";
+  }
+  text << " " << count << " in all";
+  return text.str();
+}
+
+std::string tell(const Viewpoint& v, const Raster& raster) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "eye " << v.eye.position.x << "," << v.eye.position.y << "," << v.eye.position.z
+       << " attitude " << v.eye.heading << "," << v.eye.pitch << "," << v.eye.roll << " fov "
+       << v.fov << " raster " << raster.width << "x" << raster.height;
+  return text.str();
+}
+
+}  // namespace
+
+bool near_an_edge(const std::vector<OraclePolygon>& polygons, const ViewTransform& view, int column,
+                  int row, std::uint32_t a, std::uint32_t b) {
+  if (distance_to_edge(polygons, view, column, row) <= 0.5) return true;
+  const double x = column + 0.5 - view.raster.width / 2.0, y = row + 0.5 - view.raster.height / 2.0;
+  std::array<Vec3, 5> rays;
+  for (int k = 0; k < 5; ++k) {
+    const double dx = k == 4 ? 0 : k & 1 ? 0.5 : -0.5, dy = k == 4 ? 0 : k & 2 ? 0.5 : -0.5;
+    rays[k] = view.rotation.row[0] * view.focal + view.rotation.row[1] * (x + dx) -
+              view.rotation.row[2] * (y + dy);
+  }
+  const auto covers_element = [&](const FacePlane& f) {
+    return std::any_of(rays.begin(), rays.end(),
+                       [&](const Vec3& ray) { return covers(*f.polygon, view.eye, ray); });
+  };
+  for (const FacePlane& p : planes_of(polygons, a, view.eye))
+    for (const FacePlane& q : planes_of(polygons, b, view.eye)) {
+      if (p.polygon == q.polygon || !covers_element(p) || !covers_element(q)) continue;
+      int nearer = 0;
+      for (int k = 0; k < 4; ++k)
+        nearer += dot(p.normal, rays[k]) / p.offset > dot(q.normal, rays[k]) / q.offset;
+      if (nearer != 0 && nearer != 4) return true;
+    }
+  return false;
+}
+
+std::vector<std::uint16_t> picture_by_traversal(const Database& database,
+                                                const ViewTransform& view) {
+  const PreparedSystem& system = database.systems[0];
+  const std::vector<std::uint32_t> ranks =
+      ranks_from(system.hierarchy, system.set.items.size(), view.eye);
+  std::vector<ItemRef> items(ranks.size());
+  for (std::uint32_t i = 0; i < ranks.size(); ++i) items[ranks[i]] = {SetId::kStatic, i};
+  geometry_processor::Functional<Exact> geometry;
+  EdgeList<Exact> edges;
+  geometry.compute(view, {&system.set, nullptr, nullptr}, items, edges);
+  priority_resolver::Coverage<Exact> coverage;
+  priority_resolver::SpanLines spans;
+  coverage.compute(edges, view.raster, spans);
+  video_processor::Functional video;
+  Picture picture;
+  video.compute(spans, edges.faces, {}, view.raster, picture);
+  return picture.numbers;
+}
+
+void check_picture(const World& world, const Database& database, const Viewpoint& viewpoint,
+                   const Raster& raster, const std::string& what, Tally& tally) {
+  SCOPED_TRACE(what + " " + tell(viewpoint, raster));
+  const ViewTransform view = frame_calculator::view_transform(viewpoint, raster);
+  const std::vector<OraclePolygon> polygons = polygons_of(world);
+  const std::vector<std::uint16_t> want = cast_rays(polygons, view);
+  std::uint32_t faults = 0;
+  MachineOptions options;
+  options.raster = raster;
+
+  options.number = NumberType::kExact;
+  const auto exact = machine_picture(database, options, viewpoint, faults);
+  EXPECT_EQ(exact, want) << "exact, counters, coverage:" << differences(want, exact, raster.width);
+  options.priority = PriorityMethod::kSoMatrix;
+  options.resolver = ResolverMethod::kActiveList;
+  const auto other = machine_picture(database, options, viewpoint, faults);
+  EXPECT_EQ(other, want) << "exact, SO matrix, active list:"
+                         << differences(want, other, raster.width);
+  const auto plain = picture_by_traversal(database, view);
+  EXPECT_EQ(plain, want) << "plain traversal:" << differences(want, plain, raster.width);
+
+  options.number = NumberType::kDouble;
+  const auto rounded = machine_picture(database, options, viewpoint, faults);
+  options.priority = PriorityMethod::kCounters;
+  options.resolver = ResolverMethod::kCoverage;
+  EXPECT_EQ(machine_picture(database, options, viewpoint, faults), rounded)
+      << "double: the resolvers differ";
+  for (std::size_t i = 0; i < want.size(); ++i) {
+    if (rounded[i] == want[i]) continue;
+    ++tally.rounded_mismatches;
+    const int c = static_cast<int>(i) % raster.width, r = static_cast<int>(i) / raster.width;
+    EXPECT_TRUE(near_an_edge(polygons, view, c, r, want[i], rounded[i]))
+        << "double: element (" << c << "," << r << ") is " << rounded[i] << ", must be " << want[i];
+  }
+  EXPECT_EQ(faults, 0u) << "listability";
+  ++tally.pictures;
+  tally.elements += want.size();
+}
+
+void check_world(const World& world, Random& random, int views, int largest,
+                 const std::string& what, Tally& tally) {
+  const Database database = prepare(world.environment);
+  for (int v = 0; v < views; ++v)
+    check_picture(world, database, random_viewpoint(world.environment, random),
+                  random_raster(random, largest), what + " view " + std::to_string(v), tally);
+}
+
+void check_rate(const Tally& tally) {
+  std::ostringstream text;
+  text << tally.pictures << " pictures, " << tally.elements << " elements, "
+       << tally.rounded_mismatches << " mismatches in double";
+  std::cout << text.str() << "\n";
+  EXPECT_LT(static_cast<double>(tally.rounded_mismatches),
+            1e-4 * static_cast<double>(tally.elements))
+      << text.str();
+}
+
+}  // namespace cigsim::test

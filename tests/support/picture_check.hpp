@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Pictures of the machine in every configuration against the oracle's.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "models/boundary/transactions.hpp"
+#include "tests/support/ray_oracle.hpp"
+#include "tests/support/worlds.hpp"
+
+namespace cigsim::test {
+
+/// True when a picture in rounded numbers may differ from the right one at an element: a projected
+/// edge passes within half an element of its centre, or the line in which two faces meet, one of
+/// object `a` and one of object `b`, passes through its square.
+bool near_an_edge(const std::vector<OraclePolygon>& polygons, const ViewTransform& view, int column,
+                  int row, std::uint32_t a, std::uint32_t b);
+
+/// The picture of object numbers that a plain reading of the separation tree gives, in exact
+/// numbers (Fuchs, Kedem, Naylor 1980), without moving models and ground.
+std::vector<std::uint16_t> picture_by_traversal(const Database& database,
+                                                const ViewTransform& view);
+
+/// What a series of pictures came to.
+struct Tally {
+  std::uint64_t pictures = 0, elements = 0;
+  std::uint64_t rounded_mismatches = 0;  ///< of double, each near an edge
+};
+
+/// Fails the running test unless
+///  - in exact numbers both priority methods, both resolvers and the plain traversal give the
+///    oracle's picture on every element;
+///  - in double both resolvers give one picture, which differs from it near edges only;
+///  - no group's counts were at fault.
+/// `what` tells of the case in messages.
+void check_picture(const World& world, const Database& database, const Viewpoint& viewpoint,
+                   const Raster& raster, const std::string& what, Tally& tally);
+
+/// check_picture from `views` random viewpoints; prepares the world. `largest` is the largest side
+/// of a raster.
+void check_world(const World& world, Random& random, int views, int largest,
+                 const std::string& what, Tally& tally);
+
+/// Fails the running test unless fewer than 0.01 % of the elements differed in double.
+void check_rate(const Tally& tally);
+
+}  // namespace cigsim::test
