@@ -9,7 +9,8 @@
 #include "benchmarks/agreement.hpp"
 #include "benchmarks/city_scene.hpp"
 #include "benchmarks/embree_renderer.hpp"
-#include "benchmarks/mesa_renderer.hpp"
+#include "benchmarks/mesa_packed.hpp"
+#include "benchmarks/mesa_targets.hpp"
 #include "benchmarks/summary_reporter.hpp"
 #include "models/frame_calculator/functional.hpp"
 #include "sim/functional_machine.hpp"
@@ -18,6 +19,9 @@ namespace cigsim::benchmarks {
 namespace {
 
 constexpr Raster kRaster{1024, 1024};
+constexpr const char* kPacked = "llvmpipe";
+constexpr const char* kTargets = "llvmpipe, 2 targets";
+constexpr const char* kEmbree = "Embree";
 constexpr double kMostDiffering = 0.005;
 
 /// One scene and all who draw it.
@@ -27,7 +31,8 @@ struct Contest {
         scene(make_city(with_ground)),
         mesh(make_mesh(scene.database)),
         machine(scene.database, MachineOptions{.raster = kRaster}),
-        mesa(mesh, kRaster) {
+        packed(mesh, kRaster),
+        targets(mesh, kRaster) {
     for (const Viewpoint& viewpoint : scene.path)
       views.push_back(frame_calculator::view_transform(viewpoint, kRaster));
     if (EmbreeRenderer::available()) embree = std::make_unique<EmbreeRenderer>(mesh, kRaster);
@@ -38,7 +43,8 @@ struct Contest {
   std::vector<ViewTransform> views;
   Mesh mesh;
   FunctionalMachine machine;
-  MesaRenderer mesa;
+  MesaPacked packed;
+  MesaTargets targets;
   std::unique_ptr<EmbreeRenderer> embree;
 };
 
@@ -54,7 +60,8 @@ Picture unpacked(const std::vector<std::uint32_t>& elements) {
 bool report(const Contest& contest, const char* other, const Agreement& agreement) {
   const bool good = agreement.share() < kMostDiffering;
   fmt::print(
-      "{}: cigsim and {} differ in {:.4f} % of the elements; in {} of {} without a neighbour that "
+      "{}: cigsim and {}: differences in {:.4f} % of the elements; in {} of {} without a neighbour "
+      "that "
       "agrees{}\n",
       contest.name, other, 100 * agreement.share(), agreement.astray, agreement.elements,
       good ? "" : " -- too many");
@@ -62,14 +69,16 @@ bool report(const Contest& contest, const char* other, const Agreement& agreemen
 }
 
 bool agree(Contest& contest) {
-  Agreement mesa, embree;
+  Agreement packed, targets, embree;
   for (std::size_t k = 0; k < contest.views.size(); ++k) {
     const Picture& picture = contest.machine.compute(contest.scene.path[k], 0);
-    mesa += compare(picture, unpacked(contest.mesa.draw(contest.views[k])));
+    packed += compare(picture, unpacked(contest.packed.draw(contest.views[k])));
+    targets += compare(picture, contest.targets.draw(contest.views[k]));
     if (contest.embree) embree += compare(picture, contest.embree->draw(contest.views[k]));
   }
-  const bool good = report(contest, "llvmpipe", mesa);
-  return contest.embree ? report(contest, "Embree", embree) && good : good;
+  bool good = report(contest, kPacked, packed);
+  good = report(contest, kTargets, targets) && good;
+  return contest.embree ? report(contest, kEmbree, embree) && good : good;
 }
 
 void time_cigsim(benchmark::State& state, Contest& contest) {
@@ -113,9 +122,10 @@ void register_contest(Contest& contest) {
     benchmark::RegisterBenchmark((contest.name + " " + who).c_str(), function)->UseRealTime();
   };
   add("cigsim", [&](benchmark::State& state) { time_cigsim(state, contest); });
-  add("llvmpipe", [&](benchmark::State& state) { time_renderer(state, contest, contest.mesa); });
+  add(kPacked, [&](benchmark::State& state) { time_renderer(state, contest, contest.packed); });
+  add(kTargets, [&](benchmark::State& state) { time_renderer(state, contest, contest.targets); });
   if (contest.embree)
-    add("Embree", [&](benchmark::State& state) { time_renderer(state, contest, *contest.embree); });
+    add(kEmbree, [&](benchmark::State& state) { time_renderer(state, contest, *contest.embree); });
 }
 
 /// Median milliseconds of each stage.
@@ -167,7 +177,7 @@ int run(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
 
   Contest contests[] = {{"city", true}, {"boxes", false}};
-  fmt::print("{}\n", contests[0].mesa.description());
+  fmt::print("{}\n", contests[0].packed.description());
   fmt::print("{}\n", contests[0].embree ? contests[0].embree->description()
                                         : "Embree is skipped: this processor has no AVX2");
   bool good = true;
@@ -181,8 +191,9 @@ int run(int argc, char** argv) {
   for (Contest& contest : contests) print_stages(contest);
   fmt::print("\n");
   for (const Contest& contest : contests) {
-    print_ratio(summary, contest, "llvmpipe", 10);
-    print_ratio(summary, contest, "Embree", 25);
+    print_ratio(summary, contest, kPacked, 10);
+    print_ratio(summary, contest, kTargets, 10);
+    print_ratio(summary, contest, kEmbree, 25);
   }
   return 0;
 }

@@ -34,13 +34,13 @@ void SummaryReporter::ReportRuns(const std::vector<Run>& runs) {
 }
 
 void SummaryReporter::Finalize() {
-  fmt::print("\n{:<24}{:>12}{:>12}{:>12}{:>6}\n", "benchmark", "median ms", "least ms", "most ms",
+  fmt::print("\n{:<28}{:>12}{:>12}{:>12}{:>6}\n", "benchmark", "median ms", "least ms", "most ms",
              "runs");
   for (const std::string& name : order_) {
     const Row& row = rows_.at(name);
     const auto [least, most] =
         std::minmax_element(row.milliseconds.begin(), row.milliseconds.end());
-    fmt::print("{:<24}{:>12.4f}{:>12.4f}{:>12.4f}{:>6}", name, middle(row.milliseconds), *least,
+    fmt::print("{:<28}{:>12.4f}{:>12.4f}{:>12.4f}{:>6}", name, middle(row.milliseconds), *least,
                *most, row.milliseconds.size());
     for (const auto& [counter, value] : row.counters)
       fmt::print("  {} {:.0f}", counter, static_cast<double>(value));

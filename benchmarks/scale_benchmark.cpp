@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The cost of a frame against the size of the environment, with the same things in view:
+// scale_benchmark [OBJECTS ...]; see docs/performance.md.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "benchmarks/crowded_city.hpp"
+#include "models/database/prepare.hpp"
+#include "sim/functional_machine.hpp"
+
+namespace cigsim::benchmarks {
+namespace {
+
+constexpr std::uint32_t kVisible = 1000;
+constexpr int kFrames = 401;
+
+struct Scale {
+  explicit Scale(std::uint32_t objects) {
+    const CrowdedCity city = make_crowded_city(kVisible, objects);
+    viewpoint = city.viewpoint;
+    database = prepare(city.environment);
+    machine = std::make_unique<FunctionalMachine>(database, MachineOptions{});
+  }
+
+  Viewpoint viewpoint;
+  Database database;
+  std::unique_ptr<FunctionalMachine> machine;
+  std::vector<double> frames, retrieval;  ///< milliseconds
+};
+
+double median(std::vector<double>& values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+bool same(const Picture& a, const Picture& b) {
+  return a.colours == b.colours && a.numbers == b.numbers;
+}
+
+int run(const std::vector<std::uint32_t>& sizes) {
+  std::vector<std::unique_ptr<Scale>> scales;
+  for (const std::uint32_t objects : sizes) scales.push_back(std::make_unique<Scale>(objects));
+  // Frames of the environments in turn, so that they share the machine's moods.
+  for (int k = 0; k < kFrames; ++k)
+    for (const auto& scale : scales) {
+      scale->machine->compute(scale->viewpoint, 0);
+      scale->frames.push_back(scale->machine->stats().host_ms);
+      scale->retrieval.push_back(scale->machine->stats().stages.frame_calculator);
+    }
+  const Picture reference = scales.front()->machine->compute(scales.front()->viewpoint, 0);
+  fmt::print("{:>10}{:>10}{:>10}{:>12}{:>14}{:>8}  {}\n", "objects", "active", "edges", "frame ms",
+             "retrieval ms", "ratio", "picture");
+  bool good = true;
+  const double least = median(scales.front()->frames);
+  for (const auto& scale : scales) {
+    const bool equal = same(reference, scale->machine->compute(scale->viewpoint, 0));
+    const FrameStats& stats = scale->machine->stats();
+    const double frame = median(scale->frames);
+    fmt::print("{:>10}{:>10}{:>10}{:>12.4f}{:>14.4f}{:>8.2f}  {}\n", scale->database.object_count,
+               stats.active_items, stats.edges, frame, median(scale->retrieval), frame / least,
+               equal ? "the same" : "DIFFERENT");
+    good = good && equal;
+  }
+  return good ? 0 : 1;
+}
+
+std::uint32_t size_of(const std::string& argument) {
+  const unsigned long size = std::stoul(argument);
+  if (size < kVisible || size > 10'000'000) throw std::out_of_range(argument);
+  return static_cast<std::uint32_t>(size);
+}
+
+}  // namespace
+}  // namespace cigsim::benchmarks
+
+int main(int argc, char** argv) {
+  std::vector<std::uint32_t> sizes;
+  try {
+    for (int k = 1; k < argc; ++k) sizes.push_back(cigsim::benchmarks::size_of(argv[k]));
+  } catch (const std::logic_error&) {
+    fmt::print(stderr, "scale_benchmark [OBJECTS ...]: numbers from 1000 to 10000000\n");
+    return 2;
+  }
+  if (sizes.empty()) sizes = {1000, 1'000'000};
+  return cigsim::benchmarks::run(sizes);
+}
