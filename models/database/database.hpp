@@ -2,11 +2,11 @@
 // The prepared database: what the machine reads in real time.
 //
 // Flat arrays, in the manner of a memory image. An *item* is the unit that the priority processor
-// orders: a convex object, a piece of one, or a sheet of coplanar faces. Within an item the order of
-// the faces is right from every eyepoint (Schumacker's fixed face priority). A *group* is a level of
-// the priority hierarchy: at most 64 members, each an item or a further group, and the separation
-// planes between them as a binary tree, so that every group is listable by construction (Stump 1986,
-// ch. III: a plane resolves each pair of objects on its two sides).
+// orders: a convex object, a piece of one, or a sheet of coplanar faces. Within an item the order
+// of the faces is right from every eyepoint (Schumacker's fixed face priority). A *group* is a
+// level of the priority hierarchy: at most 64 members, each an item or a further group, and the
+// separation planes between them as a binary tree, so that every group is listable by construction
+// (Stump 1986, ch. III: a plane resolves each pair of objects on its two sides).
 #pragma once
 
 #include <array>
@@ -38,8 +38,9 @@ struct Sphere {
 };
 
 struct Item {
-  std::uint32_t first_face = 0, face_count = 0;      ///< in fixed priority order, highest first
-  std::uint32_t first_vertex = 0, vertex_count = 0;  ///< corners of its faces index from first_vertex
+  std::uint32_t first_face = 0, face_count = 0;  ///< in fixed priority order, highest first
+  std::uint32_t first_vertex = 0,
+                vertex_count = 0;  ///< corners of its faces index from first_vertex
   Sphere sphere;
 };
 

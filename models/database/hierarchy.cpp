@@ -50,8 +50,8 @@ class Builder {
   }
 
  private:
-  // From the leaves up: where two subtrees have more than a group's members together, the larger one
-  // becomes a group and counts as one member from there on. Groups are at least half full so.
+  // From the leaves up: where two subtrees have more than a group's members together, the larger
+  // one becomes a group and counts as one member from there on. Groups are at least half full so.
   void mark_groups() {
     is_group_.assign(tree_.nodes.size(), false);
     std::vector<std::uint32_t> members(tree_.nodes.size(), 0);

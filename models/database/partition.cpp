@@ -45,7 +45,7 @@ struct Counts {
 struct Candidate {
   Plane plane;
   Counts counts;
-  bool of_face = false;
+  std::uint32_t face_plane = WorkSet::kNothing;  // index, when it is a face's plane
 
   std::uint64_t imbalance() const {
     const std::uint64_t p = counts.positive, n = counts.negative;
@@ -118,9 +118,8 @@ class Partitioner {
 
   void leaf(ItemList items, Slot slot) {
     if (items.size() > 1) {
-      std::sort(items.begin(), items.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return order_of(a) < order_of(b);
-      });
+      std::sort(items.begin(), items.end(),
+                [&](std::uint32_t a, std::uint32_t b) { return order_of(a) < order_of(b); });
       ++result_.sheets;
     }
     done_ += items.size();
@@ -164,15 +163,23 @@ class Partitioner {
     }
   }
 
-  std::optional<Candidate> evaluate(const Plane& plane, const ItemList& items, bool of_face,
+  std::optional<Candidate> evaluate(const Plane& plane, const ItemList& items,
+                                    std::uint32_t face_plane,
                                     const std::optional<Candidate>& best) const {
-    Candidate c{plane, {}, of_face};
+    Candidate c{plane, {}, face_plane};
     for (const std::uint32_t i : items) {
-      switch (set_.classify(plane, set_.items[i])) {
-        case 1: ++c.counts.positive; break;
-        case -1: ++c.counts.negative; break;
-        case 0: ++c.counts.flat; break;
-        default: ++c.counts.cut;
+      switch (set_.classify(plane, set_.items[i], face_plane)) {
+        case 1:
+          ++c.counts.positive;
+          break;
+        case -1:
+          ++c.counts.negative;
+          break;
+        case 0:
+          ++c.counts.flat;
+          break;
+        default:
+          ++c.counts.cut;
       }
       if (best && best->free() && c.counts.cut > 0 && accepts_free(*best, items.size()))
         return std::nullopt;
@@ -181,7 +188,8 @@ class Partitioner {
     const Counts& n = c.counts;
     // A face's plane makes progress when it parts the set at all: nothing lies across it again.
     const int sides = (n.positive + n.cut > 0) + (n.negative + n.cut > 0) + (n.flat > 0);
-    const bool progress = of_face ? sides > 1 : n.positive > 0 && n.negative > 0;
+    const bool progress =
+        face_plane != WorkSet::kNothing ? sides > 1 : n.positive > 0 && n.negative > 0;
     if (!progress) return std::nullopt;
     return c;
   }
@@ -202,8 +210,8 @@ class Partitioner {
     });
     free_size_ = 2 * static_cast<std::size_t>(singles) > items.size() ? kFreePolygons : kFreeBodies;
     std::optional<Candidate> best;
-    const auto consider = [&](const Plane& plane, bool of_face) {
-      auto c = evaluate(plane, items, of_face, best);
+    const auto consider = [&](const Plane& plane, std::uint32_t face_plane = WorkSet::kNothing) {
+      auto c = evaluate(plane, items, face_plane, best);
       if (c && (!best || better(*c, *best, items.size()))) best = std::move(c);
     };
     consider_faces(items, consider);
@@ -220,15 +228,17 @@ class Partitioner {
     for (const std::uint32_t i : items) polygons += set_.items[i].polygon_count;
     if (polygons <= kFaceCandidates) {
       for (const std::uint32_t i : items)
-        for (std::uint32_t p = 0; p < set_.items[i].polygon_count; ++p)
-          consider(set_.planes[set_.polygons[set_.items[i].first_polygon + p].plane], true);
+        for (std::uint32_t p = 0; p < set_.items[i].polygon_count; ++p) {
+          const std::uint32_t plane = set_.polygons[set_.items[i].first_polygon + p].plane;
+          consider(set_.planes[plane], plane);
+        }
       return;
     }
     for (std::size_t k = 0; k < kFaceCandidates; ++k) {
       const WorkItem& item = set_.items[items[sampler_.below(items.size())]];
       const WorkPolygon& polygon =
           set_.polygons[item.first_polygon + sampler_.below(item.polygon_count)];
-      consider(set_.planes[polygon.plane], true);
+      consider(set_.planes[polygon.plane], polygon.plane);
     }
   }
 
@@ -237,8 +247,7 @@ class Partitioner {
     const std::size_t n = items.size();
     if (n > kPairSetSize) return;
     const auto pair = [&](std::uint32_t a, std::uint32_t b) {
-      if (const auto plane = separating_plane(set_, set_.items[a], set_.items[b]))
-        consider(*plane, false);
+      if (const auto plane = separating_plane(set_, set_.items[a], set_.items[b])) consider(*plane);
     };
     if (n * (n - 1) / 2 <= kPairCandidates) {
       for (std::size_t i = 0; i < n; ++i)
@@ -264,7 +273,7 @@ class Partitioner {
       for (const std::size_t share : {2, 3, 4, 5, 6}) {
         const auto at = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() * share / 8);
         std::nth_element(ends.begin(), at, ends.end());
-        consider(axis_plane(axis, *at), false);
+        consider(axis_plane(axis, *at));
       }
     }
   }
@@ -272,10 +281,19 @@ class Partitioner {
   void split(const Candidate& chosen, const Task& task) {
     ItemList positive, flat, negative;
     for (const std::uint32_t i : task.items) {
-      switch (set_.classify(chosen.plane, set_.items[i])) {
-        case 1: positive.push_back(i); break;
-        case -1: negative.push_back(i); break;
-        case 0: flat.push_back(i); break;
+      bool tolerated = false;
+      const int where = set_.classify(chosen.plane, set_.items[i], chosen.face_plane, &tolerated);
+      result_.tolerated += tolerated;
+      switch (where) {
+        case 1:
+          positive.push_back(i);
+          break;
+        case -1:
+          negative.push_back(i);
+          break;
+        case 0:
+          flat.push_back(i);
+          break;
         default: {
           const auto [p, n] = set_.cut(chosen.plane, i);
           positive.push_back(p);
@@ -313,8 +331,8 @@ class Partitioner {
     }
   }
 
-  // Beside polygons in the plane, faces of other items in the plane that are seen from the same side
-  // belong to the same sheet: only their fixed order decides where they overlap.
+  // Beside polygons in the plane, faces of other items in the plane that are seen from the same
+  // side belong to the same sheet: only their fixed order decides where they overlap.
   void detach_coplanar(const Plane& plane, unsigned sides, ItemList& items, ItemList& flat) {
     for (std::uint32_t& i : items) {
       const auto [rest, sheet] = set_.detach(plane, i, sides);

@@ -23,10 +23,12 @@ struct Partition {
   /// Items of a leaf: one patch, or coplanar polygons, the first of highest priority.
   std::vector<std::vector<std::uint32_t>> leaves;
   std::uint64_t cuts = 0;
-  std::uint64_t sheets = 0;  ///< leaves with coplanar polygons of several faces
+  std::uint64_t tolerated = 0;  ///< times that an item within the contact tolerance was not cut
+  std::uint64_t sheets = 0;     ///< leaves with coplanar polygons of several faces
 };
 
-/// Partitions all items of the set; cuts append to it. `progress` gets the items done and all items.
+/// Partitions all items of the set; cuts append to it. `progress` gets the items done and all
+/// items.
 Partition partition(WorkSet& set,
                     const std::function<void(std::uint64_t, std::uint64_t)>& progress);
 

@@ -18,6 +18,7 @@ namespace {
 struct Preparation {
   const Environment& environment;
   std::optional<Sun> sun;
+  double contact_tolerance;
   Notices notices;
   PreparationReport report;
 };
@@ -44,11 +45,10 @@ void add_object(Preparation& p, WorkSet& set, std::uint32_t object, std::uint32_
   const Object& source_object = p.environment.objects[object];
   const CoordinateSystem& system =
       p.environment.systems[p.environment.models[source_object.model].system];
-  const Surface surface = make_surface(
-      stands_still(system) && !(system.placement == Placement{})
-          ? placed(source_object, system.placement)
-          : source_object,
-      p.notices);
+  const Surface surface = make_surface(stands_still(system) && !(system.placement == Placement{})
+                                           ? placed(source_object, system.placement)
+                                           : source_object,
+                                       p.notices);
   p.report.convex_objects += surface.convex;
   p.report.unclosed_objects += !surface.closed && !surface.faces.empty();
   const auto base = static_cast<std::uint32_t>(set.vertex_count());
@@ -58,9 +58,9 @@ void add_object(Preparation& p, WorkSet& set, std::uint32_t object, std::uint32_
     corners = face.loop;
     for (std::uint32_t& c : corners) c += base;
     const Face& source = source_object.faces[face.source];
-    set.add_polygon(corners, set.add_plane(face.plane),
-                    {object + 1, order++, face_colour(p, object, source, face.plane),
-                     !surface.closed});
+    set.add_polygon(
+        corners, set.add_plane(face.plane),
+        {object + 1, order++, face_colour(p, object, source, face.plane), !surface.closed});
     if (!surface.convex) set.add_item(1);
   }
   if (surface.convex) set.add_item(static_cast<std::uint32_t>(surface.faces.size()));
@@ -74,6 +74,7 @@ PreparedSystem prepare_system(Preparation& p, std::uint32_t system,
   out.placement = source.placement;
   out.motion = source.motion;
   WorkSet work;
+  work.contact_tolerance = p.contact_tolerance;
   std::uint32_t order = 0;
   for (std::uint32_t o = 0; o < p.environment.objects.size(); ++o) {
     const std::uint32_t of = p.environment.models[p.environment.objects[o].model].system;
@@ -93,6 +94,7 @@ PreparedSystem prepare_system(Preparation& p, std::uint32_t system,
   for (const Item& item : out.set.items) spheres.push_back(item.sphere);
   if (!spheres.empty()) out.sphere = enclosing(spheres);
 
+  p.notices.add("overlap within the contact tolerance: not cut", tree.tolerated);
   p.report.cuts += tree.cuts;
   p.report.items += out.set.items.size();
   p.report.faces += out.set.faces.size();
@@ -125,8 +127,7 @@ FaceSet prepare_ground(Preparation& p) {
     for (const SurfaceFace& f : surface.faces) {
       Loop corners = f.loop;
       for (std::uint32_t& c : corners) c += base;
-      const auto number =
-          static_cast<std::uint32_t>(p.environment.objects.size() + g + 1);
+      const auto number = static_cast<std::uint32_t>(p.environment.objects.size() + g + 1);
       work.add_polygon(corners, work.add_plane(f.plane), {number, 0, ground[g].colour, true});
       leaf.push_back(work.add_item(1));
     }
@@ -160,7 +161,8 @@ DefaultView sensible_view(const Database& database) {
 
 Database prepare(const Environment& environment, const PrepareOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  Preparation p{environment, options.sun ? options.sun : environment.sun, {}, {}};
+  Preparation p{
+      environment, options.sun ? options.sun : environment.sun, options.contact_tolerance, {}, {}};
   Database database;
   database.name = environment.name;
   database.background = environment.background;

@@ -48,10 +48,10 @@ std::vector<std::uint32_t> vertices_of(const std::vector<EdgeEnds>& edges) {
 
 // The plane, turned so that a is on its positive side, when it separates.
 std::optional<Plane> if_separates(const WorkSet& set, const Plane& plane, const WorkItem& a,
-                                  const WorkItem& b) {
-  const int sa = set.classify(plane, a);
+                                  const WorkItem& b, std::uint32_t face_plane = WorkSet::kNothing) {
+  const int sa = set.classify(plane, a, face_plane);
   if (sa == 2) return std::nullopt;
-  const int sb = set.classify(plane, b);
+  const int sb = set.classify(plane, b, face_plane);
   if (sb == 2 || (sa == 0 && sb == 0) || sa * sb > 0) return std::nullopt;
   return sa > 0 || (sa == 0 && sb < 0) ? plane : reversed(plane);
 }
@@ -59,23 +59,58 @@ std::optional<Plane> if_separates(const WorkSet& set, const Plane& plane, const 
 std::optional<Plane> by_faces(const WorkSet& set, const WorkItem& a, const WorkItem& b) {
   for (const WorkItem* item : {&a, &b})
     for (std::uint32_t p = item->first_polygon; p < item->first_polygon + item->polygon_count; ++p)
-      if (auto plane = if_separates(set, set.planes[set.polygons[p].plane], a, b)) return plane;
+      if (auto plane =
+              if_separates(set, set.planes[set.polygons[p].plane], a, b, set.polygons[p].plane))
+        return plane;
   return std::nullopt;
+}
+
+using Points = std::vector<Vec3>;
+
+Points points_of(const WorkSet& set, const std::vector<EdgeEnds>& edges) {
+  Points points;
+  for (const std::uint32_t v : vertices_of(edges)) points.push_back(set.vertex(v));
+  return points;
+}
+
+struct Reach {
+  double low, high;
+};
+
+Reach reach(const Points& points, const Vec3& n) {
+  Reach r{dot(n, points[0]), dot(n, points[0])};
+  for (const Vec3& p : points) {
+    const double d = dot(n, p);
+    r.low = std::min(r.low, d);
+    r.high = std::max(r.high, d);
+  }
+  return r;
+}
+
+// Rules out, in doubles, most directions along which the two overlap.
+bool may_part(const Points& a, const Points& b, const Vec3& n) {
+  const Reach ra = reach(a, n), rb = reach(b, n);
+  const double overlap = std::min(ra.high, rb.high) - std::max(ra.low, rb.low);
+  const double size = std::max(ra.high - ra.low, rb.high - rb.low);
+  return !(overlap > 0x1p-12 * size);
 }
 
 std::optional<Plane> by_edges(const WorkSet& set, const std::vector<EdgeEnds>& ea,
                               const std::vector<EdgeEnds>& eb, const WorkItem& a,
                               const WorkItem& b) {
   if (ea.size() * eb.size() > kMostEdgePairs) return std::nullopt;
+  const Points pa = points_of(set, ea), pb = points_of(set, eb);
   const auto usable = [&](const EdgeEnds& e) { return !set.exact(e.from) && !set.exact(e.to); };
   for (const EdgeEnds& x : ea) {
     if (!usable(x)) continue;
+    const Vec3 along = set.vertex(x.to) - set.vertex(x.from);
     for (const EdgeEnds& y : eb) {
       if (!usable(y)) continue;
+      const Vec3 n = cross(along, set.vertex(y.to) - set.vertex(y.from));
+      if (n == Vec3{} || !may_part(pa, pb, n)) continue;
       for (const std::uint32_t p : {x.from, y.from}) {
         const Plane plane = make_plane({set.vertex(p), set.vertex(x.from), set.vertex(x.to),
                                         set.vertex(y.from), set.vertex(y.to)});
-        if (plane.normal == Vec3{}) continue;
         if (auto found = if_separates(set, plane, a, b)) return found;
       }
     }

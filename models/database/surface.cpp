@@ -122,11 +122,10 @@ void add_planar_faces(Surface& surface, const Loop& loop, std::uint32_t source, 
   if (!flat) return;
   const auto corners = spanning_corners(surface.vertices, loop);
   const bool planar =
-      loop.size() == 3 ||
-      (corners && on_plane(plane_through(surface.vertices[(*corners)[0]],
-                                         surface.vertices[(*corners)[1]],
-                                         surface.vertices[(*corners)[2]]),
-                           surface.vertices, loop));
+      loop.size() == 3 || (corners && on_plane(plane_through(surface.vertices[(*corners)[0]],
+                                                             surface.vertices[(*corners)[1]],
+                                                             surface.vertices[(*corners)[2]]),
+                                               surface.vertices, loop));
   const bool convex = is_convex(*flat, loop);
   if (planar && convex) {
     add_face(surface, loop, source);
@@ -141,8 +140,8 @@ void add_planar_faces(Surface& surface, const Loop& loop, std::uint32_t source, 
     notices.add(t.crossing ? "face crosses itself: made into triangles"
                 : planar   ? "concave face: made into convex ones"
                            : "face not planar: made into triangles");
-    pieces = planar && !t.crossing ? join_convex(*flat, std::move(t.triangles))
-                                   : std::move(t.triangles);
+    pieces =
+        planar && !t.crossing ? join_convex(*flat, std::move(t.triangles)) : std::move(t.triangles);
   }
   for (Loop& piece : pieces) add_face(surface, std::move(piece), source);
 }
@@ -159,8 +158,7 @@ bool is_convex_body(const Surface& surface) {
     for (const std::uint32_t v : face.loop) used[v] = 1;
   for (const SurfaceFace& face : surface.faces)
     for (std::uint32_t v = 0; v < surface.vertices.size(); ++v) {
-      if (!used[v] || std::find(face.loop.begin(), face.loop.end(), v) != face.loop.end())
-        continue;
+      if (!used[v] || std::find(face.loop.begin(), face.loop.end(), v) != face.loop.end()) continue;
       if (side(face.plane, surface.vertices[v]) > 0) return false;
     }
   return true;

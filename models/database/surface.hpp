@@ -3,7 +3,8 @@
 //
 // Rules, in this order (docs/machine.md tells them to users):
 //  - vertices at equal coordinates are one vertex;
-//  - repeated corners go; a face without area goes; of equal faces with equal winding the first stays;
+//  - repeated corners go; a face without area goes; of equal faces with equal winding the first
+//  stays;
 //  - a vertex of an open edge that lies on another open edge is put into it, if that closes the
 //    object (T-junctions);
 //  - where every edge is shared by exactly two faces, the windings are made to agree, and each part
@@ -22,9 +23,9 @@
 namespace cigsim {
 
 struct SurfaceFace {
-  Loop loop;                   ///< convex; vertices of the surface
-  Plane plane;                 ///< exact; normal on the side from which the loop runs anticlockwise
-  std::uint32_t source = 0;    ///< index of the input face
+  Loop loop;                 ///< convex; vertices of the surface
+  Plane plane;               ///< exact; normal on the side from which the loop runs anticlockwise
+  std::uint32_t source = 0;  ///< index of the input face
 };
 
 struct Surface {

@@ -7,8 +7,9 @@
 namespace cigsim {
 namespace {
 
+// The extent of an item, and the same without what may overlap its neighbours.
 struct Extent {
-  double low, high;
+  double low, high, inner_low, inner_high;
   std::uint32_t item;
 };
 
@@ -16,14 +17,14 @@ Sweep sweep(const std::vector<Extent>& sorted, int axis) {
   Sweep result;
   result.axis = axis;
   double reach = -std::numeric_limits<double>::infinity();
-  double flat_at = reach;
+  double inner_reach = reach, flat_at = reach;
   std::size_t run = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const Extent& e = sorted[i];
-    // Where a polygon lies in the plane across the axis, others may have faces in it too, which that
-    // plane does not order (the partition makes them one sheet).
+    // Where a polygon lies in the plane across the axis, others may have faces in it too, which
+    // that plane does not order (the partition makes them one sheet).
     const bool flat_touch = e.low == reach && (e.low == e.high || flat_at == reach);
-    if (i == 0 || (e.low >= reach && !flat_touch)) {
+    if (i == 0 || (e.inner_low >= inner_reach && !flat_touch)) {
       if (i > 0) {
         result.positions.push_back(e.low);
         result.largest = std::max(result.largest, i - run);
@@ -33,6 +34,7 @@ Sweep sweep(const std::vector<Extent>& sorted, int axis) {
     }
     if (e.low == e.high) flat_at = e.low;
     reach = std::max(reach, e.high);
+    inner_reach = std::max(inner_reach, e.inner_high);
     result.order.push_back(e.item);
   }
   result.largest = std::max(result.largest, sorted.size() - run);
@@ -48,10 +50,12 @@ Sweep best_sweep(const WorkSet& set, const std::vector<std::uint32_t>& items) {
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       const WorkItem& item = set.items[items[i]];
-      extents[i] = {item.low[axis], item.high[axis], items[i]};
+      const double low = item.low[axis], high = item.high[axis];
+      const double overlap = set.contact_tolerance_of(item, high - low) / 2;
+      extents[i] = {low, high, low + overlap, high - overlap, items[i]};
     }
     std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
-      if (a.low != b.low) return a.low < b.low;
+      if (a.inner_low != b.inner_low) return a.inner_low < b.inner_low;
       if (a.high != b.high) return a.high < b.high;
       return a.item < b.item;
     });

@@ -13,9 +13,9 @@ namespace cigsim {
 struct Sweep {
   int axis = 0;
   std::vector<std::uint32_t> order;
-  std::vector<std::size_t> starts;   ///< first place of each run in `order`
-  std::vector<double> positions;     ///< of the plane before run k + 1
-  std::size_t largest = 0;           ///< items in the largest run
+  std::vector<std::size_t> starts;  ///< first place of each run in `order`
+  std::vector<double> positions;    ///< of the plane before run k + 1
+  std::size_t largest = 0;          ///< items in the largest run
 };
 
 /// The sweep whose largest run is smallest; one run when no axis has a gap.

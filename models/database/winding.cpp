@@ -84,8 +84,7 @@ std::uint64_t insert_junctions(std::span<const Vec3> vertices, std::vector<Loop>
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
       longer.push_back(a);
-      if (!std::binary_search(open.begin(), open.end(),
-                              std::pair{std::min(a, b), std::max(a, b)}))
+      if (!std::binary_search(open.begin(), open.end(), std::pair{std::min(a, b), std::max(a, b)}))
         continue;
       Loop within;
       for (const std::uint32_t p : ends)
@@ -201,8 +200,7 @@ void measure(Part& part, std::span<const Vec3> vertices, const std::vector<Loop>
   for (const std::uint32_t f : part.faces)
     for (const std::uint32_t v : loops[f]) {
       const Vec3& p = vertices[v];
-      part.low = {std::min(part.low.x, p.x), std::min(part.low.y, p.y),
-                  std::min(part.low.z, p.z)};
+      part.low = {std::min(part.low.x, p.x), std::min(part.low.y, p.y), std::min(part.low.z, p.z)};
       part.high = {std::max(part.high.x, p.x), std::max(part.high.y, p.y),
                    std::max(part.high.z, p.z)};
     }

@@ -58,17 +58,60 @@ std::uint32_t WorkSet::add_item(std::uint32_t count) {
   return static_cast<std::uint32_t>(items.size() - 1);
 }
 
-int WorkSet::classify(const Plane& plane, const WorkItem& item) const {
+double WorkSet::contact_tolerance_of(const WorkItem& item, double depth) const {
+  double largest = 0;
+  for (int i = 0; i < 3; ++i)
+    largest = std::max({largest, std::abs(item.low[i]), std::abs(item.high[i])});
+  return std::min(contact_tolerance * largest, 0x1p-16 * depth);
+}
+
+int WorkSet::classify(const Plane& plane, const WorkItem& item, std::uint32_t face_plane,
+                      bool* tolerated) const {
+  if (tolerated) *tolerated = false;
   if (const int s = box_side(plane, item)) return s;
+  seen_.resize(vertices_.size(), 0);
+  if (++call_ == 0) {
+    std::fill(seen_.begin(), seen_.end(), 0);
+    call_ = 1;
+  }
+  const std::uint32_t end = item.first_polygon + item.polygon_count;
+  if (face_plane != kNothing)
+    for (std::uint32_t p = item.first_polygon; p < end; ++p)
+      if (polygons[p].plane == face_plane)
+        for (std::uint32_t c = 0; c < polygons[p].corner_count; ++c)
+          seen_[corners(polygons[p])[c]] = call_;
   bool positive = false, negative = false;
-  for (std::uint32_t p = item.first_polygon; p < item.first_polygon + item.polygon_count; ++p)
+  for (std::uint32_t p = item.first_polygon; p < end; ++p)
     for (std::uint32_t c = 0; c < polygons[p].corner_count; ++c) {
-      const int s = side_of(plane, corners(polygons[p])[c]);
+      const std::uint32_t v = corners(polygons[p])[c];
+      if (seen_[v] == call_) continue;
+      seen_[v] = call_;
+      const int s = side_of(plane, v);
       positive = positive || s > 0;
       negative = negative || s < 0;
-      if (positive && negative) return 2;
+      if (!positive || !negative) continue;
+      const int where = across_or_touching(plane, item);
+      if (tolerated) *tolerated = where != 2;
+      return where;
     }
   return positive ? 1 : negative ? -1 : 0;
+}
+
+int WorkSet::across_or_touching(const Plane& plane, const WorkItem& item) const {
+  double high = 0, low = 0;
+  for (std::uint32_t p = item.first_polygon; p < item.first_polygon + item.polygon_count; ++p)
+    for (std::uint32_t c = 0; c < polygons[p].corner_count; ++c) {
+      const double value = dot(plane.normal, vertices_[corners(polygons[p])[c]] - plane.exact.p);
+      high = std::max(high, value);
+      low = std::max(low, -value);
+    }
+  const Vec3& n = plane.normal;
+  const double length = std::hypot(n.x, n.y, n.z);
+  high /= length;
+  low /= length;
+  if (high > low && low <= contact_tolerance_of(item, high)) return 1;
+  if (low > high && high <= contact_tolerance_of(item, low)) return -1;
+  return 2;
 }
 
 std::uint32_t WorkSet::cut_vertex(const Plane& plane, const ExactVec& normal, std::uint32_t a,

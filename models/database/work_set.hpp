@@ -37,6 +37,8 @@ struct WorkItem {
 
 class WorkSet {
  public:
+  static constexpr std::uint32_t kNothing = 0xffffffffu;
+
   std::vector<Plane> planes;
   std::vector<WorkPolygon> polygons;
   std::vector<WorkItem> items;
@@ -70,9 +72,17 @@ class WorkSet {
     return e ? side(plane, vertices_[v], *e) : side(plane, vertices_[v]);
   }
 
+  /// How far an item may reach across a plane and still count as touching it, as a share of its
+  /// largest coordinate (see PrepareOptions). Never more than 2^-16 of its depth on the other side.
+  double contact_tolerance = 0;
+  double contact_tolerance_of(const WorkItem& item, double depth) const;
+
   /// Where an item lies: +1 on the closed positive side, -1 on the closed negative side, 0 in the
-  /// plane, 2 across it.
-  int classify(const Plane& plane, const WorkItem& item) const;
+  /// plane, 2 across it. Within the contact tolerance it counts as on the side of its body;
+  /// `tolerated`, when given, tells of that. `face_plane` is the plane's index in `planes` when it
+  /// is a face's: the corners of that face need no test.
+  int classify(const Plane& plane, const WorkItem& item, std::uint32_t face_plane = kNothing,
+               bool* tolerated = nullptr) const;
 
   /// Replaces an item that lies across the plane by its two parts; returns {positive, negative}.
   std::array<std::uint32_t, 2> cut(const Plane& plane, std::uint32_t item);
@@ -86,15 +96,15 @@ class WorkSet {
     return dot(planes[polygon.plane].normal, plane.normal) > 0 ? 1 : 2;
   }
 
-  /// Takes the polygons of an item that lie in the plane and are seen from one of `sides` out of it;
-  /// returns {the rest, an item of those}, or the item itself and kNothing when there is none.
-  static constexpr std::uint32_t kNothing = 0xffffffffu;
+  /// Takes the polygons of an item that lie in the plane and are seen from one of `sides` out of
+  /// it; returns {the rest, an item of those}, or the item itself and kNothing when there is none.
   std::array<std::uint32_t, 2> detach(const Plane& plane, std::uint32_t item, unsigned sides);
 
   /// Replaces an item by one item a polygon.
   std::vector<std::uint32_t> explode(std::uint32_t item);
 
  private:
+  int across_or_touching(const Plane& plane, const WorkItem& item) const;
   std::uint32_t cut_vertex(const Plane& plane, const ExactVec& normal, std::uint32_t a,
                            std::uint32_t b);
   ExactVec exact_position(std::uint32_t v) const {
@@ -106,6 +116,9 @@ class WorkSet {
   std::uint32_t first_cut_ = 0xffffffffu;
   std::unordered_map<std::uint32_t, ExactVec> exact_;
   std::vector<std::uint32_t> corners_;
+  // By vertex: the call of classify that has dealt with it last.
+  mutable std::vector<std::uint32_t> seen_;
+  mutable std::uint32_t call_ = 0;
 };
 
 }  // namespace cigsim
