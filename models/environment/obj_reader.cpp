@@ -101,6 +101,11 @@ class Words {
   std::uint32_t line_ = 1;
 };
 
+std::string quoted(std::string_view word) {
+  std::string text(1, '"');
+  return text.append(word).append(1, '"');
+}
+
 /// Where an object or group begins in the list of faces.
 struct Mark {
   std::size_t face;
@@ -161,12 +166,11 @@ class ObjReader {
     double value = 0;
     const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (stop != word.data() + word.size() || error == std::errc::invalid_argument)
-      fail("\"" + std::string(whole) + "\" is no coordinate; write a decimal number");
+      fail(quoted(whole) + " is no coordinate; write a decimal number");
     // Too small for a double reads as 0, too large as infinity.
     if (error == std::errc::result_out_of_range)
       value = std::strtod(std::string(whole).c_str(), nullptr);
-    if (!std::isfinite(value))
-      fail("\"" + std::string(whole) + "\" is not finite; write a finite coordinate");
+    if (!std::isfinite(value)) fail(quoted(whole) + " is not finite; write a finite coordinate");
     return value;
   }
 
@@ -185,7 +189,7 @@ class ObjReader {
     const char* const end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(word.data(), end, index);
     if (error != std::errc() || (stop != end && *stop != '/'))
-      fail("\"" + std::string(word) + "\" is no vertex of a face; write vertex numbers from 1");
+      fail(quoted(word) + " is no vertex of a face; write vertex numbers from 1");
     const auto count = static_cast<std::int64_t>(vertices_.size());
     if (index == 0) fail("vertex number 0 in a face; vertices count from 1");
     if (index < -count || index > std::numeric_limits<std::uint32_t>::max() - 1)
