@@ -11,6 +11,7 @@
 #include "benchmarks/embree_renderer.hpp"
 #include "benchmarks/mesa_packed.hpp"
 #include "benchmarks/mesa_targets.hpp"
+#include "benchmarks/stage_times.hpp"
 #include "benchmarks/summary_reporter.hpp"
 #include "models/frame_calculator/functional.hpp"
 #include "sim/functional_machine.hpp"
@@ -130,16 +131,6 @@ void register_contest(Contest& contest) {
 
 /// Median milliseconds of each stage.
 void print_stages(Contest& contest) {
-  struct Stage {
-    const char* name;
-    double StageTimes::*time;
-  };
-  constexpr Stage kStages[] = {{"frame_calculator", &StageTimes::frame_calculator},
-                               {"geometry_processor", &StageTimes::geometry_processor},
-                               {"priority_processor", &StageTimes::priority_processor},
-                               {"edge_orderer", &StageTimes::edge_orderer},
-                               {"priority_resolver", &StageTimes::priority_resolver},
-                               {"video_processor", &StageTimes::video_processor}};
   constexpr std::size_t kFrames = 401;
   std::vector<StageTimes> frames;
   for (std::size_t k = 0; k < kFrames; ++k) {
@@ -147,12 +138,9 @@ void print_stages(Contest& contest) {
     frames.push_back(contest.machine.stats().stages);
   }
   fmt::print("\n{}: median ms of each stage\n", contest.name);
-  for (const Stage& stage : kStages) {
-    std::vector<double> times;
-    for (const StageTimes& frame : frames) times.push_back(frame.*stage.time);
-    std::nth_element(times.begin(), times.begin() + kFrames / 2, times.end());
-    fmt::print("  {:<20}{:>9.4f}\n", stage.name, times[kFrames / 2]);
-  }
+  for (const Stage& stage : kStages)
+    fmt::print("  {:<20}{:>9.4f}\n", stage.name,
+               median_of(frames, [&](const StageTimes& times) { return times.*stage.time; }));
 }
 
 void print_ratio(const SummaryReporter& summary, const Contest& contest, const char* other,

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "benchmarks/crowded_city.hpp"
+#include "benchmarks/stage_times.hpp"
 #include "models/database/prepare.hpp"
-#include "sim/functional_machine.hpp"
 
 namespace cigsim::benchmarks {
 namespace {
@@ -30,16 +30,14 @@ struct Scale {
   Viewpoint viewpoint;
   Database database;
   std::unique_ptr<FunctionalMachine> machine;
-  std::vector<double> frames, retrieval;  ///< milliseconds
+  std::vector<FrameStats> frames;
 };
 
-double median(std::vector<double>& values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
+/// The ground's number follows those of all objects, so it may differ.
 bool same(const Picture& a, const Picture& b) {
-  return a.colours == b.colours && a.numbers == b.numbers;
+  return a.colours == b.colours &&
+         std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(),
+                    [](auto m, auto n) { return m == n || (m > kVisible && n > kVisible); });
 }
 
 int run(const std::vector<std::uint32_t>& sizes) {
@@ -49,22 +47,24 @@ int run(const std::vector<std::uint32_t>& sizes) {
   for (int k = 0; k < kFrames; ++k)
     for (const auto& scale : scales) {
       scale->machine->compute(scale->viewpoint, 0);
-      scale->frames.push_back(scale->machine->stats().host_ms);
-      scale->retrieval.push_back(scale->machine->stats().stages.frame_calculator);
+      scale->frames.push_back(scale->machine->stats());
     }
   const Picture reference = scales.front()->machine->compute(scales.front()->viewpoint, 0);
-  fmt::print("{:>10}{:>10}{:>10}{:>12}{:>14}{:>8}  {}\n", "objects", "active", "edges", "frame ms",
-             "retrieval ms", "ratio", "picture");
+  const auto host_ms = [](const FrameStats& stats) { return stats.host_ms; };
+  const double least = median_of(scales.front()->frames, host_ms);
   bool good = true;
-  const double least = median(scales.front()->frames);
   for (const auto& scale : scales) {
     const bool equal = same(reference, scale->machine->compute(scale->viewpoint, 0));
-    const FrameStats& stats = scale->machine->stats();
-    const double frame = median(scale->frames);
-    fmt::print("{:>10}{:>10}{:>10}{:>12.4f}{:>14.4f}{:>8.2f}  {}\n", scale->database.object_count,
-               stats.active_items, stats.edges, frame, median(scale->retrieval), frame / least,
-               equal ? "the same" : "DIFFERENT");
     good = good && equal;
+    const FrameStats& stats = scale->machine->stats();
+    const double frame = median_of(scale->frames, host_ms);
+    fmt::print("{} objects: {} items active, {} edges, {} picture\n", scale->database.object_count,
+               stats.active_items, stats.edges, equal ? "the same" : "ANOTHER");
+    fmt::print("  {:<20}{:>9.4f} ms, ratio {:.2f}\n", "frame", frame, frame / least);
+    for (const Stage& stage : kStages)
+      fmt::print(
+          "  {:<20}{:>9.4f} ms\n", stage.name,
+          median_of(scale->frames, [&](const FrameStats& f) { return f.stages.*stage.time; }));
   }
   return good ? 0 : 1;
 }
