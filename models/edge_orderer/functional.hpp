@@ -34,8 +34,8 @@ class Functional {
         const Edge<N>& edge = edges.edges[e];
         step_edge(edge, raster.width, element_.data());
         for (int r = edge.first_line; r < edge.end_line; ++r)
-          out.crossings[next_[r]++] = {
-              f, static_cast<std::uint16_t>(element_[r - edge.first_line]), edge.left};
+          out.crossings[next_[r]++] = {f, static_cast<std::uint16_t>(element_[r - edge.first_line]),
+                                       edge.left};
       }
     }
     for (int r = 0; r < raster.height; ++r)

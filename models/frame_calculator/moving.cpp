@@ -103,9 +103,8 @@ class MovingModels {
 
   void add_face(const FaceSet& set, const PreparedFace& face, std::uint32_t base,
                 const Placing& place) {
-    std::vector<std::uint32_t> corners(
-        set.corners.begin() + face.first_corner,
-        set.corners.begin() + face.first_corner + face.corner_count);
+    std::vector<std::uint32_t> corners(set.corners.begin() + face.first_corner,
+                                       set.corners.begin() + face.first_corner + face.corner_count);
     for (std::uint32_t& c : corners) c += base;
     // A face's plane is defined by three points: p = u0 = v0, u1 and v1.
     const PlaneDefinition& d = set.planes[face.plane].exact;
@@ -157,9 +156,13 @@ class MovingModels {
           hierarchy_.nodes[group.first_node + static_cast<std::uint32_t>(at.child)];
       const Plane& plane = hierarchy_.planes[node.plane];
       switch (work_.classify(plane, work_.items[at.work_item])) {
-        case 1: stack.push_back({at.work_item, at.group, node.true_child}); break;
+        case 1:
+          stack.push_back({at.work_item, at.group, node.true_child});
+          break;
         case 0:
-        case -1: stack.push_back({at.work_item, at.group, node.false_child}); break;
+        case -1:
+          stack.push_back({at.work_item, at.group, node.false_child});
+          break;
         default: {
           const auto [positive, negative] = work_.cut(plane, at.work_item);
           stack.push_back({positive, at.group, node.true_child});

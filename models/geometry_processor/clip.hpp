@@ -32,10 +32,14 @@ class PyramidSides {
 
   N distance(int plane, const ViewPoint<N>& p) const {
     switch (plane) {
-      case 0: return N(half_width_ * p.u + focal_ * p.v);
-      case 1: return N(half_width_ * p.u - focal_ * p.v);
-      case 2: return N(half_height_ * p.u - focal_ * p.w);
-      default: return N(half_height_ * p.u + focal_ * p.w);
+      case 0:
+        return N(half_width_ * p.u + focal_ * p.v);
+      case 1:
+        return N(half_width_ * p.u - focal_ * p.v);
+      case 2:
+        return N(half_height_ * p.u - focal_ * p.w);
+      default:
+        return N(half_height_ * p.u + focal_ * p.w);
     }
   }
 
@@ -55,8 +59,8 @@ class PyramidSides {
   N focal_{}, half_width_{}, half_height_{};
 };
 
-/// Clips a convex loop in place against the planes of `codes`; `scratch` is working memory. A cut is
-/// computed from the inner end towards the outer, so that two faces cut their common edge alike.
+/// Clips a convex loop in place against the planes of `codes`; `scratch` is working memory. A cut
+/// is computed from the inner end towards the outer, so that two faces cut their common edge alike.
 template <class N>
 void clip(const PyramidSides<N>& sides, std::uint8_t codes, std::vector<ViewPoint<N>>& loop,
           std::vector<ViewPoint<N>>& scratch) {

@@ -2,9 +2,9 @@
 // Geometry processor, functional level (Stump 1986, ch. II; Sandor 1979, ch. 3): vertices into the
 // viewpoint system, back faces out, faces clipped and projected, edges set up for the raster.
 //
-// In double, the error of a projected edge is about the rounding of the vertices over the distance of
-// the eyepoint from the face's plane. A face that the eyepoint sees so nearly edge on that this could
-// reach a thousandth of an element is worked out in rational arithmetic instead.
+// In double, the error of a projected edge is about the rounding of the vertices over the distance
+// of the eyepoint from the face's plane. A face that the eyepoint sees so nearly edge on that this
+// could reach a thousandth of an element is worked out in rational arithmetic instead.
 #pragma once
 
 #include <algorithm>
@@ -53,6 +53,10 @@ class Functional {
   }
 
  private:
+  // Outcode of a point at the eyepoint itself, which lies outside no side plane and has no place on
+  // the raster.
+  static constexpr std::uint8_t kAtEye = 0x10;
+
   struct RasterPoint {
     N x{}, y{};
   };
@@ -79,15 +83,19 @@ class Functional {
       points_[i] = {dot(rotation_.row[0], d), dot(rotation_.row[1], d), dot(rotation_.row[2], d)};
       codes_[i] = sides_.outcode(points_[i]);
       all_codes_ &= codes_[i];
-      if (codes_[i] == 0 && points_[i].u > 0) raster_[i] = project(points_[i]);
+      if (codes_[i] != 0) continue;
+      if (points_[i].u > 0)
+        raster_[i] = project(points_[i]);
+      else
+        codes_[i] = kAtEye;
     }
   }
 
   static Vec3T<N> position(const FaceSet& set, std::uint32_t vertex) {
     if constexpr (is_exact<N>) {
-      const auto at = std::lower_bound(
-          set.cut_vertices.begin(), set.cut_vertices.end(), vertex,
-          [](const CutVertex& cut, std::uint32_t v) { return cut.vertex < v; });
+      const auto at =
+          std::lower_bound(set.cut_vertices.begin(), set.cut_vertices.end(), vertex,
+                           [](const CutVertex& cut, std::uint32_t v) { return cut.vertex < v; });
       if (at != set.cut_vertices.end() && at->vertex == vertex) return at->position;
     }
     return convert<N>(set.vertices[vertex]);
@@ -101,8 +109,8 @@ class Functional {
   /// +1 when the eyepoint is in front of the face, -1 behind, 0 in its plane.
   static int facing(const Plane& plane, const Vec3& eye) {
     if constexpr (std::is_same_v<N, float>) {
-      const float value = dot(convert<float>(plane.normal),
-                              convert<float>(eye) - convert<float>(plane.exact.p));
+      const float value =
+          dot(convert<float>(plane.normal), convert<float>(eye) - convert<float>(plane.exact.p));
       return value > 0 ? 1 : value < 0 ? -1 : 0;
     } else {
       return side(plane, eye);
@@ -116,8 +124,7 @@ class Functional {
     return !(value * value > bound * bound * dot(plane.normal, plane.normal));
   }
 
-  void process_exactly(const FaceSet& set, const Item& item, std::uint32_t face,
-                       EdgeList<N>& out) {
+  void process_exactly(const FaceSet& set, const Item& item, std::uint32_t face, EdgeList<N>& out) {
     if (!exact_) exact_ = std::make_unique<Functional<Exact>>();
     EdgeList<Exact> edges;
     exact_->compute_face(*view_, set, item, face, edges);

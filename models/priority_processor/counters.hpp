@@ -14,13 +14,13 @@ inline void order_by_counters(std::span<const SeparationNode> nodes, std::uint64
   std::array<std::uint8_t, kGroupCapacity> counts{};
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const bool eye = (eye_true >> n) & 1;
-    const std::uint64_t near_side =
-        active & (eye ? nodes[n].true_members : nodes[n].false_members);
+    const std::uint64_t near_side = active & (eye ? nodes[n].true_members : nodes[n].false_members);
     const std::uint64_t far_side = active & (eye ? nodes[n].false_members : nodes[n].true_members);
     // Each far member is in one pair with each near member.
     const auto pairs = static_cast<std::uint8_t>(std::popcount(near_side));
     for (std::uint64_t rest = far_side; rest != 0; rest &= rest - 1)
-      counts[std::countr_zero(rest)] = static_cast<std::uint8_t>(counts[std::countr_zero(rest)] + pairs);
+      counts[std::countr_zero(rest)] =
+          static_cast<std::uint8_t>(counts[std::countr_zero(rest)] + pairs);
   }
   list_by_count(active, counts, out);
 }

@@ -22,8 +22,7 @@ struct GroupOrder {
 /// 0 .. n-1. At a fault the members stay in the order of count, then number, so that a picture
 /// still comes out.
 inline void list_by_count(std::uint64_t active,
-                          const std::array<std::uint8_t, kGroupCapacity>& counts,
-                          GroupOrder& out) {
+                          const std::array<std::uint8_t, kGroupCapacity>& counts, GroupOrder& out) {
   out.count = static_cast<std::uint32_t>(std::popcount(active));
   std::uint64_t seen = 0;
   for (std::uint64_t rest = active; rest != 0; rest &= rest - 1) {
@@ -31,8 +30,8 @@ inline void list_by_count(std::uint64_t active,
     seen |= std::uint64_t{1} << counts[m];
     out.member[counts[m]] = static_cast<std::uint8_t>(m);
   }
-  const std::uint64_t all = out.count == 64 ? ~std::uint64_t{0}
-                                            : (std::uint64_t{1} << out.count) - 1;
+  const std::uint64_t all =
+      out.count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << out.count) - 1;
   out.unique = seen == all;
   if (out.unique) return;
   std::uint32_t place = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The resolver's spans by another road: faces in order of priority, each against a mask of the
-// elements that are taken on a line. A convex face has one left and one right crossing on a line, so
-// no crossing need be sorted; the spans are those of the active list.
+// elements that are taken on a line. A convex face has one left and one right crossing on a line,
+// so no crossing need be sorted; the spans are those of the active list.
 #pragma once
 
 #include <bit>
@@ -26,7 +26,8 @@ class CoverageMask {
     const int last_word = (end - 1) / 64;
     int run = -1;  // start of a run that reached the end of the word before
     for (int w = first / 64; w <= last_word; ++w) {
-      const std::uint64_t above = w == first / 64 ? ~std::uint64_t{0} << (first % 64) : ~std::uint64_t{0};
+      const std::uint64_t above =
+          w == first / 64 ? ~std::uint64_t{0} << (first % 64) : ~std::uint64_t{0};
       const std::uint64_t below =
           w == last_word ? ~std::uint64_t{0} >> (63 - (end - 1) % 64) : ~std::uint64_t{0};
       std::uint64_t open = above & below & ~words[w];
