@@ -2,6 +2,8 @@
 // Host time of each stage over many frames.
 #pragma once
 
+#include <time.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -19,6 +21,13 @@ inline constexpr Stage kStages[] = {{"frame_calculator", &StageTimes::frame_calc
                                     {"edge_orderer", &StageTimes::edge_orderer},
                                     {"priority_resolver", &StageTimes::priority_resolver},
                                     {"video_processor", &StageTimes::video_processor}};
+
+/// Milliseconds that this thread has computed: other programs on the machine do not count.
+inline double thread_milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
 
 /// Median milliseconds of a figure of each frame.
 template <class Frames, class Figure>
