@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "models/video_processor/functional.hpp"
-
 namespace cigsim::benchmarks {
 namespace {
+
+std::uint32_t packed(const Colour& c) {
+  return 0xff000000u | std::uint32_t{c.b} << 16 | std::uint32_t{c.g} << 8 | c.r;
+}
 
 void add_set(const FaceSet& set, Mesh& mesh) {
   for (const Item& item : set.items)
@@ -21,7 +23,7 @@ void add_set(const FaceSet& set, Mesh& mesh) {
         for (const double value : {v.x, v.y, v.z})
           mesh.positions.push_back(static_cast<float>(value));
       }
-      mesh.colours.push_back(video_processor::packed(face.colour));
+      mesh.colours.push_back(packed(face.colour));
       mesh.numbers.push_back(static_cast<std::uint16_t>(std::min(face.object, 65535u)));
     }
 }
@@ -30,7 +32,7 @@ void add_set(const FaceSet& set, Mesh& mesh) {
 
 Mesh make_mesh(const Database& database) {
   Mesh mesh;
-  mesh.background = video_processor::packed(database.background);
+  mesh.background = packed(database.background);
   add_set(database.systems[0].set, mesh);
   add_set(database.ground, mesh);
   return mesh;

@@ -38,19 +38,21 @@ void SummaryReporter::Finalize() {
              "runs");
   for (const std::string& name : order_) {
     const Row& row = rows_.at(name);
-    const auto [least, most] =
-        std::minmax_element(row.milliseconds.begin(), row.milliseconds.end());
-    fmt::print("{:<28}{:>12.4f}{:>12.4f}{:>12.4f}{:>6}", name, middle(row.milliseconds), *least,
-               *most, row.milliseconds.size());
+    const Times figures = *times(name);
+    fmt::print("{:<28}{:>12.4f}{:>12.4f}{:>12.4f}{:>6}", name, figures.median, figures.least,
+               figures.most, row.milliseconds.size());
     for (const auto& [counter, value] : row.counters)
       fmt::print("  {} {:.0f}", counter, static_cast<double>(value));
     fmt::print("\n");
   }
 }
 
-double SummaryReporter::median(const std::string& name) const {
+std::optional<SummaryReporter::Times> SummaryReporter::times(const std::string& name) const {
   const auto row = rows_.find(name);
-  return row == rows_.end() ? 0 : middle(row->second.milliseconds);
+  if (row == rows_.end()) return std::nullopt;
+  const std::vector<double>& all = row->second.milliseconds;
+  const auto [least, most] = std::minmax_element(all.begin(), all.end());
+  return Times{middle(all), *least, *most};
 }
 
 }  // namespace cigsim::benchmarks

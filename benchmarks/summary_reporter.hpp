@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,11 @@ class SummaryReporter : public benchmark::BenchmarkReporter {
   void ReportRuns(const std::vector<Run>& runs) override;
   void Finalize() override;
 
-  /// Milliseconds; 0 when the benchmark did not run.
-  double median(const std::string& name) const;
+  struct Times {
+    double median, least, most;  ///< milliseconds
+  };
+  /// Nothing when the benchmark did not run.
+  std::optional<Times> times(const std::string& name) const;
 
  private:
   struct Row {
