@@ -14,8 +14,8 @@
 namespace cigsim {
 namespace {
 
-// Pictures of flat faces have long runs: level 3 with the row above as the guess packs them about
-// as small as the default level, several times as fast.
+// Pictures of flat faces have long runs of one colour, which filters only disturb. Level 3 without
+// a filter takes about a third of the time of libpng's own choice for twice its few bytes.
 constexpr int kCompressionLevel = 3;
 
 void put_bytes(png_structp png, png_bytep bytes, png_size_t count) {
@@ -30,7 +30,7 @@ bool write_rows(png_structp png, png_infop info, const Picture& picture, std::os
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_write_fn(png, &out, put_bytes, no_flush);
   png_set_compression_level(png, kCompressionLevel);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
   const auto width = static_cast<png_uint_32>(picture.width);
   png_set_IHDR(png, info, width, static_cast<png_uint_32>(picture.height), 8, PNG_COLOR_TYPE_RGB,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
