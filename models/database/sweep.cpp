@@ -2,6 +2,7 @@
 #include "models/database/sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cigsim {
@@ -11,7 +12,14 @@ namespace {
 struct Extent {
   double low, high, inner_low, inner_high;
   std::uint32_t item;
+  bool flat;  // it may lie in a plane across the axis
 };
+
+// True for an extent of nothing; that of a rounded vertex reaches an ulp further to both sides.
+bool is_flat(double low, double high) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  return std::nextafter(std::nextafter(low, inf), inf) >= high;
+}
 
 Sweep sweep(const std::vector<Extent>& sorted, int axis) {
   Sweep result;
@@ -23,7 +31,7 @@ Sweep sweep(const std::vector<Extent>& sorted, int axis) {
     const Extent& e = sorted[i];
     // Where a polygon lies in the plane across the axis, others may have faces in it too, which
     // that plane does not order (the partition makes them one sheet).
-    const bool flat_touch = e.low == reach && (e.low == e.high || flat_at == reach);
+    const bool flat_touch = e.low <= reach && (e.flat || flat_at >= inner_reach);
     if (i == 0 || (e.inner_low >= inner_reach && !flat_touch)) {
       if (i > 0) {
         result.positions.push_back(e.low);
@@ -32,7 +40,7 @@ Sweep sweep(const std::vector<Extent>& sorted, int axis) {
       result.starts.push_back(i);
       run = i;
     }
-    if (e.low == e.high) flat_at = e.low;
+    if (e.flat) flat_at = e.high;
     reach = std::max(reach, e.high);
     inner_reach = std::max(inner_reach, e.inner_high);
     result.order.push_back(e.item);
@@ -52,7 +60,7 @@ Sweep best_sweep(const WorkSet& set, const std::vector<std::uint32_t>& items) {
       const WorkItem& item = set.items[items[i]];
       const double low = item.low[axis], high = item.high[axis];
       const double overlap = set.contact_tolerance_of(item, high - low) / 2;
-      extents[i] = {low, high, low + overlap, high - overlap, items[i]};
+      extents[i] = {low, high, low + overlap, high - overlap, items[i], is_flat(low, high)};
     }
     std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
       if (a.inner_low != b.inner_low) return a.inner_low < b.inner_low;
