@@ -98,6 +98,8 @@ int WorkSet::classify(const Plane& plane, const WorkItem& item, std::uint32_t fa
 }
 
 int WorkSet::across_or_touching(const Plane& plane, const WorkItem& item) const {
+  // Depths in doubles cannot tell nothing from an overlap below their rounding.
+  if (contact_tolerance == 0) return 2;
   double high = 0, low = 0;
   for (std::uint32_t p = item.first_polygon; p < item.first_polygon + item.polygon_count; ++p)
     for (std::uint32_t c = 0; c < polygons[p].corner_count; ++c) {
