@@ -29,12 +29,21 @@ struct Tally {
   std::uint64_t rounded_mismatches = 0;  ///< of double, each near an edge
 };
 
+/// Whether the exact picture must be the oracle's on every element, or only away from edges.
+enum class Strictness { kEveryElement, kNearEdges };
+
 /// Fails the running test unless
-///  - in exact numbers both priority methods, both resolvers and the plain traversal give the
-///    oracle's picture on every element;
-///  - in double both resolvers give one picture, which differs from it near edges only;
+///  - in exact numbers both priority methods and both resolvers give one picture, as strict as
+///  told;
+///  - in double both resolvers give one picture, which differs from the oracle's near edges only;
 ///  - no group's counts were at fault.
 /// `what` tells of the case in messages.
+void check_machine(const std::vector<OraclePolygon>& polygons, const Database& database,
+                   const Viewpoint& viewpoint, const Raster& raster, double frame,
+                   Strictness strictness, const std::string& what, Tally& tally);
+
+/// check_machine on every element for a world in which nothing moves, and the same of the plain
+/// traversal.
 void check_picture(const World& world, const Database& database, const Viewpoint& viewpoint,
                    const Raster& raster, const std::string& what, Tally& tally);
 

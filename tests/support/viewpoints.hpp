@@ -7,9 +7,12 @@
 
 namespace cigsim::test {
 
-/// A viewpoint on an environment with at least one face: near an object, far away, in the plane of
-/// a face, on a vertex, on an edge, inside an object, level with a vertex and along an axis. Fields
-/// of view from 1 to 170 degrees; with and without roll.
+/// A viewpoint near an object, far from it, or about its middle, in general position. Fields of
+/// view from 1 to 170 degrees; with and without roll.
+Viewpoint plain_viewpoint(const Environment& environment, Random& random);
+
+/// A plain one, or: in the plane of a face, on a vertex, on an edge, in the middle of an object,
+/// level with a vertex and along an axis.
 Viewpoint random_viewpoint(const Environment& environment, Random& random);
 
 /// A raster of at most `largest` elements a side, now and then of one element or one line.
