@@ -30,6 +30,13 @@ double parse_number(std::string_view what, std::string_view text) {
   return value;
 }
 
+double parse_number(std::string_view what, std::string_view text, double low, double high) {
+  const double value = parse_number(what, text);
+  if (!(value >= low && value <= high))
+    throw UsageError(fmt::format("{}: {} must lie from {} to {}", what, value, low, high));
+  return value;
+}
+
 std::uint64_t parse_whole(std::string_view what, std::string_view text, std::uint64_t low,
                           std::uint64_t high) {
   std::uint64_t value = 0;

@@ -27,6 +27,7 @@ class UsageError : public std::runtime_error {
 bool to_number(std::string_view text, double& value);
 
 double parse_number(std::string_view what, std::string_view text);
+double parse_number(std::string_view what, std::string_view text, double low, double high);
 std::uint64_t parse_whole(std::string_view what, std::string_view text, std::uint64_t low,
                           std::uint64_t high);
 

@@ -53,7 +53,8 @@ class FunctionalMachine {
   ~FunctionalMachine();
   FunctionalMachine(FunctionalMachine&&) noexcept;
 
-  /// Computes one frame. `frame` places the moving models. The picture is valid until the next call.
+  /// Computes one frame. `frame` places the moving models. The picture is valid until the next
+  /// call.
   const Picture& compute(const Viewpoint& viewpoint, double frame);
   const FrameStats& stats() const;
 

@@ -45,20 +45,29 @@ void append(std::vector<Notice>& whole, const std::vector<Notice>& part) {
   }
 }
 
-LoadedScene prepared(std::string name, const ReadResult& scene, const std::optional<Sun>& sun) {
-  const SceneFacts facts{scene.environment.models.size(), sun || scene.environment.sun};
-  return {std::move(name), prepare_scene(scene, sun), facts};
+LoadedScene prepared(std::string name, const ReadResult& scene, const PreparationChoices& choices) {
+  const SceneFacts facts{scene.environment.models.size(), choices.sun || scene.environment.sun};
+  return {std::move(name), prepare_scene(scene, choices), facts};
 }
 
 }  // namespace
 
-void add_sun_option(CLI::App& command, std::optional<Sun>& sun) {
+void add_preparation_options(CLI::App& command, PreparationChoices& choices) {
   command
       .add_option_function<std::string>(
-          "--sun", [&sun](const std::string& text) { sun = parse_sun("--sun", text); },
+          "--sun", [&choices](const std::string& text) { choices.sun = parse_sun("--sun", text); },
           "Shade faces by a sun at this azimuth (clockwise from north) and elevation, in degrees. "
           "Default: the scene's own sun, or colours as given")
       ->type_name("AZ,EL");
+  command
+      .add_option_function<std::string>(
+          "--contact-tolerance",
+          [&choices](const std::string& text) {
+            choices.contact_tolerance = parse_number("--contact-tolerance", text, 0, 1);
+          },
+          "Bodies that overlap by no more than this share of their largest coordinate count as "
+          "touching and are not cut; 0 cuts every overlap. Default: 2^-28")
+      ->type_name("SHARE");
 }
 
 ReadResult merge(std::vector<ReadResult> parts) {
@@ -70,10 +79,11 @@ ReadResult merge(std::vector<ReadResult> parts) {
   return whole;
 }
 
-Database prepare_scene(const ReadResult& scene, const std::optional<Sun>& sun) {
+Database prepare_scene(const ReadResult& scene, const PreparationChoices& choices) {
   Progress progress("preparing");
   PrepareOptions options;
-  options.sun = sun;
+  options.sun = choices.sun;
+  if (choices.contact_tolerance) options.contact_tolerance = *choices.contact_tolerance;
   options.progress = [&](double share) { progress.show(share); };
   Database database = prepare(scene.environment, options);
   std::vector<Notice> notices = scene.notices;
@@ -83,12 +93,15 @@ Database prepare_scene(const ReadResult& scene, const std::optional<Sun>& sun) {
 }
 
 LoadedScene load_scene(const std::optional<std::filesystem::path>& file,
-                       const std::optional<Sun>& sun) {
-  if (!file) return prepared(kBuiltIn, parse_json(embedded_airfield(), kBuiltIn), sun);
-  if (!is_database(*file)) return prepared(file->string(), read_environment(*file), sun);
-  if (sun)
+                       const PreparationChoices& choices) {
+  if (!file) return prepared(kBuiltIn, parse_json(embedded_airfield(), kBuiltIn), choices);
+  if (!is_database(*file)) return prepared(file->string(), read_environment(*file), choices);
+  if (choices.sun)
     throw UsageError("--sun: " + file->string() +
                      " is prepared and its shades are fixed; prepare the scene with this sun");
+  if (choices.contact_tolerance)
+    throw UsageError("--contact-tolerance: " + file->string() +
+                     " is prepared already; prepare the scene with this tolerance");
   return {file->string(), read_database(*file), std::nullopt};
 }
 

@@ -25,19 +25,25 @@ struct LoadedScene {
   std::optional<SceneFacts> facts;  ///< none: the scene came prepared
 };
 
-/// --sun AZ,EL.
-void add_sun_option(CLI::App& command, std::optional<Sun>& sun);
+/// What the command line says of preparation.
+struct PreparationChoices {
+  std::optional<Sun> sun;
+  std::optional<double> contact_tolerance;
+};
+
+/// --sun AZ,EL and --contact-tolerance SHARE.
+void add_preparation_options(CLI::App& command, PreparationChoices& choices);
 
 /// Several environments as one: objects in the order of the inputs, the first background, view and
 /// sun that an input has. `parts` must not be empty.
 ReadResult merge(std::vector<ReadResult> parts);
 
 /// Prepares `environment` with a progress bar; what the reader noticed joins the report.
-Database prepare_scene(const ReadResult& scene, const std::optional<Sun>& sun);
+Database prepare_scene(const ReadResult& scene, const PreparationChoices& choices);
 
 /// A scene file is prepared in memory, a prepared database is read; without a file, the airfield.
-/// Throws InputError, and UsageError for a sun with a prepared database.
+/// Throws InputError, and UsageError for such a choice with a prepared database.
 LoadedScene load_scene(const std::optional<std::filesystem::path>& file,
-                       const std::optional<Sun>& sun);
+                       const PreparationChoices& choices);
 
 }  // namespace cigsim

@@ -31,7 +31,7 @@ Sweep sweep(const std::vector<Extent>& sorted, int axis) {
     const Extent& e = sorted[i];
     // Where a polygon lies in the plane across the axis, others may have faces in it too, which
     // that plane does not order (the partition makes them one sheet).
-    const bool flat_touch = e.low <= reach && (e.flat || flat_at >= inner_reach);
+    const bool flat_touch = e.low <= reach && (e.flat || flat_at >= e.low);
     if (i == 0 || (e.inner_low >= inner_reach && !flat_touch)) {
       if (i > 0) {
         result.positions.push_back(e.low);
@@ -40,7 +40,7 @@ Sweep sweep(const std::vector<Extent>& sorted, int axis) {
       result.starts.push_back(i);
       run = i;
     }
-    if (e.flat) flat_at = e.high;
+    if (e.flat) flat_at = std::max(flat_at, e.high);
     reach = std::max(reach, e.high);
     inner_reach = std::max(inner_reach, e.inner_high);
     result.order.push_back(e.item);

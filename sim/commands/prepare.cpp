@@ -20,7 +20,7 @@ namespace {
 struct Options {
   std::vector<std::string> inputs;
   std::string output;
-  std::optional<Sun> sun;
+  PreparationChoices preparation;
   bool json = false;
 };
 
@@ -61,7 +61,7 @@ int prepare_command(const Options& options) {
   check(options);
   std::vector<ReadResult> parts;
   for (const std::string& input : options.inputs) parts.push_back(read_environment(input));
-  const Database database = prepare_scene(merge(std::move(parts)), options.sun);
+  const Database database = prepare_scene(merge(std::move(parts)), options.preparation);
   write_database(database, options.output);
   if (options.json) {
     nlohmann::ordered_json figures = report_to_json(database.report);
@@ -93,7 +93,7 @@ void add_prepare(CLI::App& program, int& exit_code) {
                    "The prepared database; .json can be read by people, .cbor is smaller")
       ->type_name("DB")
       ->required();
-  add_sun_option(*command, options->sun);
+  add_preparation_options(*command, options->preparation);
   command->add_flag("--json", options->json, "Print the report as JSON");
   command->callback([options, &exit_code] { exit_code = prepare_command(*options); });
 }

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 struct Options {
   std::optional<std::string> scene;
   ViewOptions view;
-  std::optional<Sun> sun;
+  PreparationChoices preparation;
   bool json = false;
 };
 
@@ -175,7 +175,7 @@ void print_table(const LoadedScene& scene, const Raster& raster,
 
 int requirements(const Options& options) {
   const std::vector<PathRow> path = load_path(options.view);
-  const LoadedScene scene = load_scene(options.scene, options.sun);
+  const LoadedScene scene = load_scene(options.scene, options.preparation);
   const std::vector<FrameView> views = frame_views(options.view, path, scene.database);
   const Raster& raster = options.view.raster;
   const DatabaseFigures figures = figures_of(scene.database);
@@ -201,7 +201,7 @@ void add_requirements(CLI::App& program, int& exit_code) {
                    "Scene file or prepared database. Default: the built-in airfield")
       ->type_name("");
   add_view_options(*command, options->view);
-  add_sun_option(*command, options->sun);
+  add_preparation_options(*command, options->preparation);
   command->add_flag("--json", options->json, "Print the figures as JSON");
   command->callback([options, &exit_code] { exit_code = requirements(*options); });
 }

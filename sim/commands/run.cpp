@@ -27,7 +27,7 @@ struct Options {
   std::optional<std::string> scene;
   ViewOptions view;
   MachineOptions machine;
-  std::optional<Sun> sun;
+  PreparationChoices preparation;
   std::size_t repeat = 1;
   std::string out = "out";
   bool json = false;
@@ -105,7 +105,7 @@ void print_summary(const RunRecord& run, const std::filesystem::path& folder) {
 
 int run_command(const Options& options) {
   const std::vector<PathRow> path = load_path(options.view);
-  const LoadedScene scene = load_scene(options.scene, options.sun);
+  const LoadedScene scene = load_scene(options.scene, options.preparation);
   const std::vector<FrameView> views = frame_views(options.view, path, scene.database);
   RunRecord run;
   run.scene = scene.name;
@@ -115,7 +115,7 @@ int run_command(const Options& options) {
   run.repeat = options.repeat;
   run.frames_wanted = views.size();
   run.path = options.view.path;
-  run.sun = options.sun;
+  run.sun = options.preparation.sun;
   make_folder(options.out);
   const int signal = compute_frames(views, options, run);
   const std::string stats = dump(stats_json(run)) + "\n";
@@ -192,7 +192,7 @@ void add_run(CLI::App& program, int& exit_code) {
                    "Scene file or prepared database. Default: the built-in airfield")
       ->type_name("");
   add_view_options(*command, options->view);
-  add_sun_option(*command, options->sun);
+  add_preparation_options(*command, options->preparation);
   add_machine_options(*command, *options);
   add_output_options(*command, *options);
   command->callback([options, &exit_code] { exit_code = run_command(*options); });
