@@ -75,7 +75,11 @@ class Functional {
     raster_.resize(item.vertex_count);
     codes_.resize(item.vertex_count);
     all_codes_ = 0xf;
-    reach_ = 0;
+    if constexpr (std::is_same_v<N, double>) {
+      // Vertices of cuts are rounded where they lie in the environment.
+      const Vec3& c = item.sphere.centre;
+      reach_ = std::abs(c.x) + std::abs(c.y) + std::abs(c.z) + 2 * item.sphere.radius;
+    }
     for (std::uint32_t i = 0; i < item.vertex_count; ++i) {
       const Vec3T<N> d = position(set, item.first_vertex + i) - eye_;
       if constexpr (std::is_same_v<N, double>)
@@ -176,9 +180,11 @@ class Functional {
     made.colour = face.colour;
     made.first_edge = static_cast<std::uint32_t>(out.edges.size());
     made.first_line = raster.height;
+    double twice_area = 0;
     for (std::size_t i = 0; i < loop_.size(); ++i) {
       const RasterPoint& a = loop_[i];
       const RasterPoint& b = loop_[i + 1 < loop_.size() ? i + 1 : 0];
+      twice_area += to_double(a.x) * to_double(b.y) - to_double(b.x) * to_double(a.y);
       const bool down = a.y < b.y;
       const RasterPoint& top = down ? a : b;
       const RasterPoint& bottom = down ? b : a;
@@ -199,6 +205,7 @@ class Functional {
       out.edges.push_back(edge);
     }
     made.edge_count = static_cast<std::uint32_t>(out.edges.size()) - made.first_edge;
+    made.area = static_cast<float>(std::abs(twice_area) / 2);
     if (made.edge_count > 0) out.faces.push_back(made);
   }
 
@@ -209,7 +216,7 @@ class Functional {
   Vec3T<N> eye_;
   Mat3T<N> rotation_;
   double edge_on_ = 0;  // faces below this times their reach, in height of the eyepoint, are exact
-  double reach_ = 0;    // of the item's vertices from the eyepoint
+  double reach_ = 0;    // of the item's vertices from the eyepoint and from the origin
   std::unique_ptr<Functional<Exact>> exact_;
 
   std::vector<ViewPoint<N>> points_, clipped_, scratch_;
