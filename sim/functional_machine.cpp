@@ -14,6 +14,7 @@
 #include "models/priority_resolver/coverage.hpp"
 #include "models/priority_resolver/functional.hpp"
 #include "models/video_processor/functional.hpp"
+#include "models/video_processor/painter.hpp"
 
 namespace cigsim {
 namespace {
@@ -32,6 +33,9 @@ priority_processor::Method method(PriorityMethod m) {
                                         : priority_processor::Method::kSoMatrix;
 }
 
+// How many times over faces may cover the raster before resolving costs less than painting.
+constexpr double kPaintedDepth = 3;
+
 // The stages that depend on the number type.
 template <class N>
 struct Stages {
@@ -41,6 +45,7 @@ struct Stages {
   geometry_processor::Functional<N> geometry;
   edge_orderer::Functional<N> orderer;
   priority_resolver::Coverage<N> coverage;
+  video_processor::Painter<N> painter;
   EdgeList<N> edges;
 };
 
@@ -68,23 +73,32 @@ class FunctionalMachine::Impl {
     const Clock::time_point start = Clock::now();
     Clock::time_point lap = start;
     stats_ = {};
+    counted_ = false;
     frame_calculator_.compute(viewpoint, options_.raster, frame, active_, moving_);
     stats_.stages.frame_calculator = milliseconds_since(lap);
-    std::visit(
-        [&](auto& stages) {
-          if constexpr (!std::is_same_v<std::decay_t<decltype(stages)>, std::monostate>)
-            run(stages, lap);
-        },
-        stages_);
+    visit([&](auto& stages) { run(stages, lap); });
     stats_.host_ms = std::chrono::duration<double, std::milli>(lap - start).count();
     stats_.exact_tests = exact_fallbacks() - fallbacks;
     stats_.certified = options_.number == NumberType::kExact;
     return picture_;
   }
 
-  const FrameStats& stats() const { return stats_; }
+  const FrameStats& stats() {
+    if (!counted_) visit([this](auto& stages) { count(stages); });
+    counted_ = true;
+    return stats_;
+  }
 
  private:
+  template <class F>
+  void visit(F f) {
+    std::visit(
+        [&](auto& stages) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(stages)>, std::monostate>) f(stages);
+        },
+        stages_);
+  }
+
   template <class N>
   void run(Stages<N>& s, Clock::time_point& lap) {
     const Raster& raster = options_.raster;
@@ -93,6 +107,12 @@ class FunctionalMachine::Impl {
     s.geometry.compute(active_.view, {&database_.systems[0].set, &moving_, &database_.ground},
                        list_.items, s.edges);
     stats_.stages.geometry_processor = milliseconds_since(lap);
+    resolved_ = !paints(s.edges);
+    if (!resolved_) {
+      s.painter.compute(s.edges, database_.background, raster, picture_);
+      stats_.stages.video_processor = milliseconds_since(lap);
+      return;
+    }
     if (options_.resolver == ResolverMethod::kActiveList) {
       s.orderer.compute(s.edges, raster, crossings_);
       stats_.stages.edge_orderer = milliseconds_since(lap);
@@ -103,11 +123,21 @@ class FunctionalMachine::Impl {
     stats_.stages.priority_resolver = milliseconds_since(lap);
     video_.compute(spans_, s.edges.faces, database_.background, raster, picture_);
     stats_.stages.video_processor = milliseconds_since(lap);
-    count(s.edges);
   }
 
   template <class N>
-  void count(const EdgeList<N>& edges) {
+  bool paints(const EdgeList<N>& edges) const {
+    if (options_.resolver != ResolverMethod::kAuto)
+      return options_.resolver == ResolverMethod::kPainter;
+    double area = 0;
+    for (const RasterFace& face : edges.faces) area += face.area;
+    return area <= kPaintedDepth * options_.raster.width * options_.raster.height;
+  }
+
+  template <class N>
+  void count(Stages<N>& stages) {
+    const EdgeList<N>& edges = stages.edges;
+    if (!resolved_) stats_.spans = stages.coverage.compute(edges, options_.raster, spans_);
     stats_.active_items = list_.items.size();
     stats_.faults = list_.faults;
     stats_.faces = edges.faces.size();
@@ -140,6 +170,8 @@ class FunctionalMachine::Impl {
   priority_resolver::SpanLines spans_;
   Picture picture_;
   FrameStats stats_;
+  bool resolved_ = false;  // spans_ are those of the frame
+  bool counted_ = false;   // stats_ are complete
   std::vector<std::int64_t> line_changes_;
 };
 

@@ -17,6 +17,8 @@ enum class PriorityMethod {
   kSoMatrix   ///< Levine 1975, ch. VI.E: the separating-object bit matrix
 };
 enum class ResolverMethod {
+  kAuto,       ///< painter or coverage, by how much the frame's faces overlap
+  kPainter,    ///< faces from the lowest priority up, each over those before it; no spans
   kCoverage,   ///< faces in priority order against a coverage mask a line: same spans, less work
   kActiveList  ///< the machine's own: crossings in element order and a list of active faces
 };
@@ -24,7 +26,7 @@ enum class ResolverMethod {
 struct MachineOptions {
   NumberType number = NumberType::kDouble;
   PriorityMethod priority = PriorityMethod::kCounters;
-  ResolverMethod resolver = ResolverMethod::kCoverage;
+  ResolverMethod resolver = ResolverMethod::kAuto;
   Raster raster;
 };
 
@@ -56,6 +58,8 @@ class FunctionalMachine {
   /// Computes one frame. `frame` places the moving models. The picture is valid until the next
   /// call.
   const Picture& compute(const Viewpoint& viewpoint, double frame);
+  /// Figures of the last frame. Those that its method had no need of (the spans, with the painter)
+  /// are worked out at the first call, outside the times.
   const FrameStats& stats() const;
 
  private:

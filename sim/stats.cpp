@@ -120,7 +120,17 @@ const char* name_of(PriorityMethod method) {
 }
 
 const char* name_of(ResolverMethod method) {
-  return method == ResolverMethod::kCoverage ? "coverage" : "active-list";
+  switch (method) {
+    case ResolverMethod::kAuto:
+      return "auto";
+    case ResolverMethod::kPainter:
+      return "painter";
+    case ResolverMethod::kCoverage:
+      return "coverage";
+    case ResolverMethod::kActiveList:
+      break;
+  }
+  return "active-list";
 }
 
 bool numbers_saturate(const Database& database) {

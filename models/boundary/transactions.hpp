@@ -78,6 +78,7 @@ struct RasterFace {
   std::uint32_t first_edge = 0;
   std::uint32_t edge_count = 0;
   int first_line = 0, end_line = 0;
+  float area = 0;  ///< elements that it covers, about
 };
 
 /// An edge in raster units. On line r in [first_line, end_line) it crosses column

@@ -32,7 +32,7 @@ class Functional {
       const RasterFace& face = edges.faces[f];
       for (std::uint32_t e = face.first_edge; e < face.first_edge + face.edge_count; ++e) {
         const Edge<N>& edge = edges.edges[e];
-        step_edge(edge, raster.width, element_.data());
+        step_edge(edge, edge.first_line, edge.end_line, raster.width, element_.data());
         for (int r = edge.first_line; r < edge.end_line; ++r)
           out.crossings[next_[r]++] = {f, static_cast<std::uint16_t>(element_[r - edge.first_line]),
                                        edge.left};

@@ -9,11 +9,12 @@ namespace cigsim::edge_orderer {
 namespace {
 
 template <class N>
-[[gnu::always_inline]] inline void step(const Edge<N>& edge, int width, std::int32_t* element) {
+[[gnu::always_inline]] inline void step(const Edge<N>& edge, int begin, int end, int width,
+                                        std::int32_t* element) {
   const N limit = static_cast<N>(width), x = edge.x, slope = edge.slope;
-  const int count = edge.end_line - edge.first_line;
-  for (int k = 0; k < count; ++k) {
-    const N at = x + slope * static_cast<N>(k);
+  const int skip = begin - edge.first_line;
+  for (int k = 0; k < end - begin; ++k) {
+    const N at = x + slope * static_cast<N>(skip + k);
     // Clamped first, so that what is converted is in range; NaN becomes 0.
     const N clamped = at > 0 ? (at < limit ? at : limit) : N(0);
     const std::int32_t down = static_cast<std::int32_t>(clamped);
@@ -24,20 +25,21 @@ template <class N>
 }  // namespace
 
 CIGSIM_DISPATCH
-void step_edge(const Edge<float>& edge, int width, std::int32_t* element) {
-  step(edge, width, element);
+void step_edge(const Edge<float>& edge, int begin, int end, int width, std::int32_t* element) {
+  step(edge, begin, end, width, element);
 }
 
 CIGSIM_DISPATCH
-void step_edge(const Edge<double>& edge, int width, std::int32_t* element) {
-  step(edge, width, element);
+void step_edge(const Edge<double>& edge, int begin, int end, int width, std::int32_t* element) {
+  step(edge, begin, end, width, element);
 }
 
-void step_edge(const Edge<Exact>& edge, int width, std::int32_t* element) {
+void step_edge(const Edge<Exact>& edge, int begin, int end, int width, std::int32_t* element) {
   mpz_class denominator;
   mpz_lcm(denominator.get_mpz_t(), edge.x.get_den_mpz_t(), edge.slope.get_den_mpz_t());
-  const mpz_class start = edge.x.get_num() * (denominator / edge.x.get_den());
   const mpz_class step = edge.slope.get_num() * (denominator / edge.slope.get_den());
+  const mpz_class start = edge.x.get_num() * (denominator / edge.x.get_den()) +
+                          step * mpz_class(begin - edge.first_line);
   // element = ceil(value / denominator): quotient up, remainder value - quotient * denominator <=
   // 0.
   mpz_class quotient, remainder, step_quotient, step_remainder;
@@ -45,8 +47,7 @@ void step_edge(const Edge<Exact>& edge, int width, std::int32_t* element) {
               denominator.get_mpz_t());
   mpz_cdiv_qr(step_quotient.get_mpz_t(), step_remainder.get_mpz_t(), step.get_mpz_t(),
               denominator.get_mpz_t());
-  const int count = edge.end_line - edge.first_line;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < end - begin; ++k) {
     element[k] = sgn(quotient) <= 0  ? 0
                  : quotient >= width ? width
                                      : static_cast<std::int32_t>(quotient.get_si());

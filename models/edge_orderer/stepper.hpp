@@ -8,13 +8,13 @@
 
 namespace cigsim::edge_orderer {
 
-/// Writes to element[0 .. end_line - first_line) the smallest whole number not below the edge's
-/// crossing, clamped to 0..width.
-void step_edge(const Edge<float>& edge, int width, std::int32_t* element);
-void step_edge(const Edge<double>& edge, int width, std::int32_t* element);
+/// Writes to element[0 .. end - begin) the smallest whole number not below the edge's crossing on
+/// each of the lines [begin, end), which the edge must cover, clamped to 0..width.
+void step_edge(const Edge<float>& edge, int begin, int end, int width, std::int32_t* element);
+void step_edge(const Edge<double>& edge, int begin, int end, int width, std::int32_t* element);
 
 /// The same without rounding: x and slope over one denominator, and a whole remainder carried from
 /// line to line.
-void step_edge(const Edge<Exact>& edge, int width, std::int32_t* element);
+void step_edge(const Edge<Exact>& edge, int begin, int end, int width, std::int32_t* element);
 
 }  // namespace cigsim::edge_orderer

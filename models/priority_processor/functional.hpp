@@ -51,6 +51,10 @@ class Functional {
  private:
   void order_group(const PriorityHierarchy& hierarchy, const ActiveGroup& active, const Vec3& eye,
                    GroupOrder& out) const {
+    if (std::popcount(active.active) < 2) {  // nothing to order
+      list_by_count(active.active, {}, out);
+      return;
+    }
     const Group& group = hierarchy.groups[active.group];
     const std::span<const SeparationNode> nodes(hierarchy.nodes.data() + group.first_node,
                                                 group.node_count);

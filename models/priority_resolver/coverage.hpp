@@ -147,7 +147,8 @@ class Coverage {
   void cross(const EdgeList<N>& edges, const RasterFace& face, int width) {
     for (std::uint32_t e = face.first_edge; e < face.first_edge + face.edge_count; ++e) {
       const Edge<N>& edge = edges.edges[e];
-      edge_orderer::step_edge(edge, width, (edge.left ? left_ : right_).data() + edge.first_line);
+      edge_orderer::step_edge(edge, edge.first_line, edge.end_line, width,
+                              (edge.left ? left_ : right_).data() + edge.first_line);
     }
   }
 

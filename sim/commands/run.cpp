@@ -150,14 +150,17 @@ void add_machine_options(CLI::App& command, Options& o) {
       },
       "Priority from a counter per object (default) or from the separating-object matrix");
   add(
-      "--resolver", "coverage|active-list",
+      "--resolver", "auto|painter|coverage|active-list",
       [&o](const Text& t) {
         o.machine.resolver =
             parse_choice<ResolverMethod>("--resolver", t,
-                                         {{"coverage", ResolverMethod::kCoverage},
+                                         {{"auto", ResolverMethod::kAuto},
+                                          {"painter", ResolverMethod::kPainter},
+                                          {"coverage", ResolverMethod::kCoverage},
                                           {"active-list", ResolverMethod::kActiveList}});
       },
-      "Visible spans from a coverage mask (default, less work) or the machine's own active list");
+      "Faces painted from the lowest priority up, spans from a coverage mask, or spans from the "
+      "machine's own active list; auto (default) takes the cheaper of the first two");
 }
 
 void add_output_options(CLI::App& command, Options& o) {
