@@ -41,7 +41,15 @@ TEST(ExactPictures, GridBoxesWithCoplanarFaces) {
 }
 
 TEST(ExactPictures, CoplanarPolygonsThatOverlap) {
-  check_worlds(6000, 40, 8, [](Random& r) { return coplanar_polygons(r, 2 + r.below(8)); });
+  check_worlds(6000, 150, 5, [](Random& r) { return coplanar_polygons(r, 2 + r.below(8)); });
+}
+
+TEST(ExactPictures, LatticesWhereEverythingCoincides) {
+  check_worlds(8000, 100, 5, [](Random& r) { return lattice_world(r, 2 + r.below(8)); });
+}
+
+TEST(ExactPictures, WorldsOfSeveralKinds) {
+  check_worlds(9000, 40, 4, [](Random& r) { return mixed_world(r); });
 }
 
 TEST(ExactPictures, BodiesWithinBodies) {

@@ -13,8 +13,8 @@
 namespace cigsim::test {
 
 /// True when a picture in rounded numbers may differ from the right one at an element: a projected
-/// edge passes within half an element of its centre, or the line in which two faces meet, one of
-/// object `a` and one of object `b`, passes through its square.
+/// edge of a polygon passes within half an element of its centre, or the line in which two faces
+/// meet, one of object `a` and one of object `b`, passes through its square.
 bool near_an_edge(const std::vector<OraclePolygon>& polygons, const ViewTransform& view, int column,
                   int row, std::uint32_t a, std::uint32_t b);
 
@@ -35,7 +35,8 @@ enum class Strictness { kEveryElement, kNearEdges };
 /// Fails the running test unless
 ///  - in exact numbers both priority methods and both resolvers give one picture, as strict as
 ///  told;
-///  - in double both resolvers give one picture, which differs from the oracle's near edges only;
+///  - in double both resolvers give one picture, which differs from the oracle's near edges only,
+///    those that preparation cut among them;
 ///  - no group's counts were at fault.
 /// `what` tells of the case in messages.
 void check_machine(const std::vector<OraclePolygon>& polygons, const Database& database,

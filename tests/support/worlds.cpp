@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/worlds.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/bodies.hpp"
@@ -170,6 +171,55 @@ World coplanar_polygons(Random& random, int objects) {
                             : box_between(low, {high.x, high.y, high.z + 1}));
       }
     }
+  }
+  return world;
+}
+
+World lattice_world(Random& random, int objects) {
+  const auto corner = [&] {
+    const double x = random.below(3), y = random.below(3), z = random.below(3);
+    return Vec3{x, y, z};
+  };
+  World world;
+  while (static_cast<int>(world.open.size()) < objects) {
+    std::vector<Vec3> points;
+    for (const std::size_t count = random.below(2) ? 3 : 6; points.size() < count;) {
+      const Vec3 p = corner();
+      if (std::find(points.begin(), points.end(), p) == points.end()) points.push_back(p);
+    }
+    if (points.size() == 3) {
+      const bool flat = cross(points[1] - points[0], points[2] - points[0]) == Vec3{};
+      if (!flat) world.add(polygon(points), true);
+      continue;
+    }
+    Object body = exact_hull(points);
+    if (body.faces.size() >= 4) world.add(std::move(body));
+  }
+  return world;
+}
+
+World mixed_world(Random& random) {
+  World world;
+  for (std::uint32_t parts = 2 + random.below(3); parts > 0; --parts) {
+    World part;
+    switch (random.below(5)) {
+      case 0:
+        part = touching_world(random);
+        break;
+      case 1:
+        part = triangle_soup(random, 3);
+        break;
+      case 2:
+        part = body_soup(random, 2);
+        break;
+      case 3:
+        part = grid_boxes(random, 4);
+        break;
+      default:
+        part = coplanar_polygons(random, 4);
+    }
+    for (std::size_t i = 0; i < part.open.size(); ++i)
+      world.add(std::move(part.environment.objects[i]), part.open[i]);
   }
   return world;
 }

@@ -41,6 +41,13 @@ World grid_boxes(Random& random, int objects);
 /// Polygons that overlap in a few common planes, and boxes with faces in these planes.
 World coplanar_polygons(Random& random, int objects);
 
+/// Hulls and triangles whose corners have coordinates 0, 1 and 2 only: planes, edges and corners
+/// coincide all over.
+World lattice_world(Random& random, int objects);
+
+/// Several worlds of other kinds in one place.
+World mixed_world(Random& random);
+
 /// Bodies within bodies.
 World nested_world(Random& random);
 
