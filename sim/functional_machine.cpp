@@ -55,6 +55,11 @@ class FunctionalMachine::Impl {
  public:
   Impl(const Database& database, const MachineOptions& options)
       : database_(database), options_(options), frame_calculator_(database) {
+    // The display's memory is there before the first frame.
+    const std::size_t elements = static_cast<std::size_t>(options.raster.width) *
+                                 static_cast<std::size_t>(options.raster.height);
+    picture_.colours.assign(elements, 0);
+    picture_.numbers.assign(elements, 0);
     switch (options.number) {
       case NumberType::kFloat:
         stages_.emplace<Stages<float>>(options.priority);
