@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An object's faces made fit for the machine: planar, convex, facing outwards.
 //
-// Rules, in this order (docs/machine.md tells them to users):
+// Rules, in this order (docs/how-it-works.md tells them to users):
 //  - vertices at equal coordinates are one vertex;
 //  - repeated corners go; a face without area goes; of equal faces with equal winding the first
 //  stays;
