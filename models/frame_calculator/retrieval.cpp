@@ -2,6 +2,7 @@
 #include "models/frame_calculator/retrieval.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace cigsim::frame_calculator {
@@ -21,22 +22,24 @@ class Pyramid {
     }
   }
 
-  enum class Place { kOutside, kAcross, kInside };
+  static constexpr unsigned kAllPlanes = 0x1f;
+  static constexpr unsigned kOutside = ~0u;
 
-  // Levine's test: outside when D + R < 0 for a plane, inside when D - R >= 0 for all.
-  Place place(const Sphere& sphere) const {
+  /// Levine's test: outside when D + R < 0 for a plane; a plane with D - R >= 0 need not be tested
+  /// for anything within the sphere. Takes the planes to test and returns those that remain (0:
+  /// inside), or kOutside.
+  unsigned remaining(const Sphere& sphere, unsigned planes) const {
     const Vec3 d = sphere.centre - eye_;
     const double slack = 0x1p-48 * (std::abs(sphere.centre.x) + std::abs(sphere.centre.y) +
                                     std::abs(sphere.centre.z) + std::abs(eye_.x) +
                                     std::abs(eye_.y) + std::abs(eye_.z));
     const double reach = sphere.radius + slack;
-    bool inside = true;
-    for (const Vec3& n : normals_) {
-      const double distance = dot(n, d);
-      if (distance < -reach) return Place::kOutside;
-      inside = inside && distance >= reach;
+    for (unsigned rest = planes; rest != 0; rest &= rest - 1) {
+      const double distance = dot(normals_[static_cast<std::size_t>(std::countr_zero(rest))], d);
+      if (distance < -reach) return kOutside;
+      if (distance >= reach) planes &= ~(rest & -rest);
     }
-    return inside ? Place::kInside : Place::kAcross;
+    return planes;
   }
 
  private:
@@ -55,30 +58,26 @@ void retrieve(const PriorityHierarchy& hierarchy, const ViewTransform& view,
   out.clear();
   if (hierarchy.groups.empty()) return;
   const Pyramid pyramid(view);
-  std::vector<bool> inside{false};
+  // By active group: the planes that its members must be tested against.
+  std::vector<unsigned char> planes{Pyramid::kAllPlanes};
   out.push_back({0, 0, 0});
   for (std::size_t at = 0; at < out.size(); ++at) {
     const Group& group = hierarchy.groups[out[at].group];
     const auto force = forced.find(out[at].group);
-    std::uint64_t active = inside[at] ? all_members(group.member_count) : 0;
-    if (force != forced.end()) active |= force->second;
-    std::uint64_t within = inside[at] ? active : 0;
-    if (!inside[at]) {
-      for (std::uint32_t m = 0; m < group.member_count; ++m) {
-        const auto place = pyramid.place(hierarchy.members[group.first_member + m].sphere);
-        const std::uint64_t bit = std::uint64_t{1} << m;
-        if (place != Pyramid::Place::kOutside) active |= bit;
-        if (place == Pyramid::Place::kInside) within |= bit;
-      }
-    }
-    out[at].active = active;
+    const std::uint64_t forced_here = force == forced.end() ? 0 : force->second;
+    out[at].active = planes[at] == 0 ? all_members(group.member_count) : 0;
     out[at].first_child = static_cast<std::uint32_t>(out.size());
     for (std::uint32_t m = 0; m < group.member_count; ++m) {
       const std::uint64_t bit = std::uint64_t{1} << m;
       const Member& member = hierarchy.members[group.first_member + m];
-      if (!(active & bit) || !member.is_group) continue;
+      unsigned rest = planes[at];
+      if (rest != 0) rest = pyramid.remaining(member.sphere, rest);
+      if (rest == Pyramid::kOutside && !(forced_here & bit)) continue;
+      out[at].active |= bit;
+      if (!member.is_group) continue;
       out.push_back({member.index, 0, 0});
-      inside.push_back((within & bit) != 0);
+      planes.push_back(
+          static_cast<unsigned char>(rest == Pyramid::kOutside ? Pyramid::kAllPlanes : rest));
     }
   }
 }
