@@ -173,22 +173,24 @@ void check_machine(const std::vector<OraclePolygon>& polygons, const Database& d
     }
   };
 
-  const auto exact =
-      machine(NumberType::kExact, PriorityMethod::kCounters, ResolverMethod::kCoverage);
-  const auto other =
-      machine(NumberType::kExact, PriorityMethod::kSoMatrix, ResolverMethod::kActiveList);
+  // Each resolver once, each priority method at least once.
+  const auto machines = [&](NumberType number) {
+    return std::array{machine(number, PriorityMethod::kCounters, ResolverMethod::kCoverage),
+                      machine(number, PriorityMethod::kSoMatrix, ResolverMethod::kActiveList),
+                      machine(number, PriorityMethod::kCounters, ResolverMethod::kPainter)};
+  };
+  const auto exact = machines(NumberType::kExact);
   if (strictness == Strictness::kEveryElement)
-    expect_equal(want, exact, raster, "exact, counters, coverage");
+    expect_equal(want, exact[0], raster, "exact");
   else
-    expect_near_edges(exact, "exact");
-  expect_equal(exact, other, raster, "SO matrix and active list against counters and coverage");
+    expect_near_edges(exact[0], "exact");
+  expect_equal(exact[0], exact[1], raster, "exact, SO matrix and active list");
+  expect_equal(exact[0], exact[2], raster, "exact, painter");
 
-  const auto rounded =
-      machine(NumberType::kDouble, PriorityMethod::kSoMatrix, ResolverMethod::kActiveList);
-  const auto rounded_other =
-      machine(NumberType::kDouble, PriorityMethod::kCounters, ResolverMethod::kCoverage);
-  expect_near_edges(rounded, "double");
-  expect_equal(rounded, rounded_other, raster, "double, the two resolvers");
+  const auto rounded = machines(NumberType::kDouble);
+  expect_near_edges(rounded[0], "double");
+  expect_equal(rounded[0], rounded[1], raster, "double, SO matrix and active list");
+  expect_equal(rounded[0], rounded[2], raster, "double, painter");
   EXPECT_EQ(faults, 0u) << "listability";
   ++tally.pictures;
   tally.elements += want.size();

@@ -33,9 +33,9 @@ struct Tally {
 enum class Strictness { kEveryElement, kNearEdges };
 
 /// Fails the running test unless
-///  - in exact numbers both priority methods and both resolvers give one picture, as strict as
+///  - in exact numbers both priority methods and all resolvers give one picture, as strict as
 ///  told;
-///  - in double both resolvers give one picture, which differs from the oracle's near edges only,
+///  - in double they all give one picture, which differs from the oracle's near edges only,
 ///    those that preparation cut among them;
 ///  - no group's counts were at fault.
 /// `what` tells of the case in messages.
