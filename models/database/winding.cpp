@@ -102,9 +102,14 @@ std::uint64_t insert_junctions(std::span<const Vec3> vertices, std::vector<Loop>
   return inserted;
 }
 
-// Sign of the volume that the loops enclose, exactly when doubles doubt.
-int volume_sign(std::span<const Vec3> vertices, const std::vector<Loop>& loops,
-                const std::vector<std::uint32_t>& faces) {
+struct Volume {
+  int sign = 0;       // exact
+  double amount = 0;  // rounded; six times the volume
+};
+
+// The volume that the loops enclose.
+Volume volume_of(std::span<const Vec3> vertices, const std::vector<Loop>& loops,
+                 const std::vector<std::uint32_t>& faces) {
   const Vec3 origin = vertices[loops[faces[0]][0]];
   double sum = 0, magnitude = 0;
   for (const std::uint32_t f : faces)
@@ -120,7 +125,7 @@ int volume_sign(std::span<const Vec3> vertices, const std::vector<Loop>& loops,
   // Each term is within 10 eps of its magnitude, and each of the additions adds one eps of the sum.
   const double bound = (12 + 2 * static_cast<double>(loops.size())) * 0x1p-53 * magnitude;
   if (std::abs(sum) > bound && std::abs(sum) > 0x1p-900 && std::isfinite(magnitude))
-    return sum > 0 ? 1 : -1;
+    return {sum > 0 ? 1 : -1, sum};
   Exact exact = 0;
   const ExactVec o = convert<Exact>(origin);
   for (const std::uint32_t f : faces)
@@ -128,14 +133,14 @@ int volume_sign(std::span<const Vec3> vertices, const std::vector<Loop>& loops,
       exact += dot(convert<Exact>(vertices[loops[f][0]]) - o,
                    cross(convert<Exact>(vertices[loops[f][i]]) - o,
                          convert<Exact>(vertices[loops[f][i + 1]]) - o));
-  return sgn(exact);
+  return {sgn(exact), exact.get_d()};
 }
 
 struct Part {
   std::vector<std::uint32_t> faces;
   bool orientable = true;
   std::uint64_t turned = 0;
-  int volume = 0;
+  Volume volume;
   Vec3 low, high;
 };
 
@@ -193,7 +198,7 @@ std::vector<Part> agree(std::vector<Loop>& loops, const std::vector<Passage>& li
 }
 
 void measure(Part& part, std::span<const Vec3> vertices, const std::vector<Loop>& loops) {
-  part.volume = volume_sign(vertices, loops, part.faces);
+  part.volume = volume_of(vertices, loops, part.faces);
   constexpr double inf = std::numeric_limits<double>::infinity();
   part.low = {inf, inf, inf};
   part.high = {-inf, -inf, -inf};
@@ -213,7 +218,7 @@ bool within(const Part& inner, const Part& outer) {
 
 std::uint64_t turn_part(Part& part, std::vector<Loop>& loops) {
   for (const std::uint32_t f : part.faces) std::reverse(loops[f].begin(), loops[f].end());
-  part.volume = -part.volume;
+  part.volume = {-part.volume.sign, -part.volume.amount};
   return part.faces.size();
 }
 
@@ -222,16 +227,16 @@ std::uint64_t face_outwards(std::span<const Vec3> vertices, std::vector<Loop>& l
                             std::vector<Part>& parts) {
   std::uint64_t turned = 0;
   for (Part& part : parts) measure(part, vertices, loops);
-  std::size_t negative = 0;
-  for (const Part& part : parts) negative += part.volume < 0;
-  // An input wound inwards throughout (Stump's decks) is turned as a whole, cavities with it.
-  const bool all_turned = parts.size() > 1 && 2 * negative > parts.size();
-  if (all_turned)
+  double sum = 0;
+  for (const Part& part : parts) sum += part.volume.amount;
+  // Cavities hold less than the bodies around them: an input wound inwards throughout (Stump's
+  // decks) encloses less than nothing, and is turned as a whole.
+  if (sum < 0)
     for (Part& part : parts) turned += turn_part(part, loops);
   for (Part& part : parts) {
-    if (part.volume >= 0) continue;
+    if (part.volume.sign >= 0) continue;
     const bool cavity = std::any_of(parts.begin(), parts.end(), [&](const Part& other) {
-      return &other != &part && other.volume > 0 && within(part, other);
+      return &other != &part && other.volume.sign > 0 && within(part, other);
     });
     if (!cavity || part.turned > 0) turned += turn_part(part, loops);
   }
