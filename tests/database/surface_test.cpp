@@ -200,6 +200,24 @@ TEST(Surface, ABodyWithinABodyStaysABody) {
   EXPECT_EQ(volume(m.surface), 6 * (64 + 1));
 }
 
+TEST(Surface, ManyCavitiesStayCavitiesAlsoInsideOut) {
+  Object o = box_between({0, 0, 0}, {10, 4, 4});
+  for (int k = 0; k < 4; ++k) {
+    const double x = 1 + 2 * k;
+    const Object inner = box_between({x, 1, 1}, {x + 1, 2, 2});
+    const auto base = static_cast<std::uint32_t>(o.vertices.size());
+    o.vertices.insert(o.vertices.end(), inner.vertices.begin(), inner.vertices.end());
+    for (Face f : inner.faces) {
+      for (std::uint32_t& v : f.vertices) v += base;
+      turn(f);
+      o.faces.push_back(f);
+    }
+  }
+  EXPECT_EQ(volume(Made(o).surface), 6 * (160 - 4));
+  for (Face& f : o.faces) turn(f);
+  EXPECT_EQ(volume(Made(o).surface), 6 * (160 - 4));
+}
+
 TEST(Surface, AnInsideOutBodyIsTurned) {
   Object o = unit_cube();
   for (Face& f : o.faces) turn(f);

@@ -52,6 +52,10 @@ TEST(ExactPictures, WorldsOfSeveralKinds) {
   check_worlds(9000, 40, 4, [](Random& r) { return mixed_world(r); });
 }
 
+TEST(ExactPictures, ConcaveBodiesWithHolesAndCavities) {
+  check_worlds(10000, 30, 6, [](Random& r) { return cell_bodies(r, 1 + r.below(3)); });
+}
+
 TEST(ExactPictures, BodiesWithinBodies) {
   check_worlds(7000, 20, 6, [](Random& r) { return nested_world(r); });
 }

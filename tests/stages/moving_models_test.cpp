@@ -7,6 +7,7 @@
 #include "models/database/prepare.hpp"
 #include "models/environment/placement.hpp"
 #include "models/frame_calculator/functional.hpp"
+#include "sim/functional_machine.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/picture_check.hpp"
 #include "tests/support/viewpoints.hpp"
@@ -173,6 +174,29 @@ TEST(MovingModels, FlyThroughAWallFrameByFrame) {
                     frame, Strictness::kEveryElement, "frame " + std::to_string(frame), tally);
   }
   check_rate(tally);
+}
+
+TEST(MovingModels, FromACornerOfATurnedBoxLookingAwayShowNothing) {
+  for (std::uint64_t seed = 500; seed < 520; ++seed) {
+    SCOPED_TRACE(seed_text(seed));
+    Random random(seed);
+    MovingWorld m;
+    m.add(m.add_system(random_placement(random, 5)), box_between({-1, -1, -1}, {1, 1, 1}));
+    const Database database = prepare(m.world.environment);
+    const World world = placed(m.world, database, 0);
+    const Vec3 centre = m.world.environment.systems[1].motion[0].placement.position;
+    for (const NumberType number : {NumberType::kDouble, NumberType::kExact}) {
+      MachineOptions options;
+      options.number = number;
+      options.raster = {16, 16};
+      FunctionalMachine machine(database, options);
+      for (const Vec3& corner : world.environment.objects[0].vertices) {
+        Viewpoint viewpoint;
+        viewpoint.eye = look_at(corner, corner + (corner - centre));
+        for (const std::uint16_t n : machine.compute(viewpoint, 0).numbers) ASSERT_EQ(n, 0);
+      }
+    }
+  }
 }
 
 TEST(MovingModels, AloneInTheEnvironment) {

@@ -198,6 +198,45 @@ World lattice_world(Random& random, int objects) {
   return world;
 }
 
+World cell_bodies(Random& random, int objects) {
+  World world;
+  while (static_cast<int>(world.open.size()) < objects) {
+    constexpr int kSide = 3;
+    bool filled[kSide + 2][kSide + 2][kSide + 2] = {};
+    const std::uint32_t share = 3 + random.below(6);
+    for (int i = 1; i <= kSide; ++i)
+      for (int j = 1; j <= kSide; ++j)
+        for (int k = 1; k <= kSide; ++k) filled[i][j][k] = random.below(10) < share;
+    const Vec3 at = grid_point(random, 4);
+    const double size = 0.5 * (1 + random.below(3));
+    Object body;
+    for (int i = 0; i <= kSide; ++i)
+      for (int j = 0; j <= kSide; ++j)
+        for (int k = 0; k <= kSide; ++k)
+          for (int axis = 0; axis < 3; ++axis) {
+            const bool here = filled[i][j][k];
+            const bool next = filled[i + (axis == 0)][j + (axis == 1)][k + (axis == 2)];
+            if (here == next) continue;
+            // The square between the two cells, anticlockwise from the axis' far end.
+            const Vec3 far{i + 1.0, j + 1.0, k + 1.0};
+            const Vec3 a = axis == 0 ? Vec3{0, 1, 0} : axis == 1 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+            const Vec3 b = axis == 0 ? Vec3{0, 0, 1} : axis == 1 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+            Face face;
+            for (const Vec3& p : {far - a - b, far - b, far, far - a}) {
+              face.vertices.push_back(static_cast<std::uint32_t>(body.vertices.size()));
+              body.vertices.push_back(at + p * size);
+            }
+            if (next) std::reverse(face.vertices.begin(), face.vertices.end());
+            body.faces.push_back(face);
+          }
+    if (body.faces.empty()) continue;
+    const bool is_open = random.below(4) == 0;
+    if (is_open) body.faces.pop_back();
+    world.add(std::move(body), is_open);
+  }
+  return world;
+}
+
 World mixed_world(Random& random) {
   World world;
   for (std::uint32_t parts = 2 + random.below(3); parts > 0; --parts) {

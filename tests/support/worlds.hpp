@@ -45,6 +45,10 @@ World coplanar_polygons(Random& random, int objects);
 /// coincide all over.
 World lattice_world(Random& random, int objects);
 
+/// Bodies of grid cells stuck together: concave, with holes and cavities, touching themselves in
+/// edges and corners; some lack a face and are seen from both sides.
+World cell_bodies(Random& random, int objects);
+
 /// Several worlds of other kinds in one place.
 World mixed_world(Random& random);
 
