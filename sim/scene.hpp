@@ -34,8 +34,8 @@ struct PreparationChoices {
 /// --sun AZ,EL and --contact-tolerance SHARE.
 void add_preparation_options(CLI::App& command, PreparationChoices& choices);
 
-/// Several environments as one: objects in the order of the inputs, the first background, view and
-/// sun that an input has. `parts` must not be empty.
+/// Several environments as one: objects in the order of the inputs, the background of the first,
+/// the first view and sun that an input has. `parts` must not be empty.
 ReadResult merge(std::vector<ReadResult> parts);
 
 /// Prepares `environment` with a progress bar; what the reader noticed joins the report.

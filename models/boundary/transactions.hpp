@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The transactions that pass between stages. Word formats of the machine levels are in
-// docs/machine.md; here every quantity is of the stage's number type N.
+// The transactions that pass between stages, every quantity of the stage's number type N.
 #pragma once
 
 #include <cstdint>

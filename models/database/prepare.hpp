@@ -12,10 +12,10 @@ namespace cigsim {
 struct PrepareOptions {
   /// Overrides the scene's sun when set.
   std::optional<Sun> sun;
-  /// Bodies that share a slanted face seldom do so exactly once their coordinates are rounded. A
-  /// body that reaches across a separation plane by no more than this share of its largest
-  /// coordinate (and no more than 2^-16 of its depth on the other side) counts as touching it;
-  /// within such an overlap the order of the two is not defined. The default covers coordinates
+  /// Bodies and faces that touch along a slanted plane seldom do so exactly once their coordinates
+  /// are rounded. One that reaches across a separation plane by no more than this share of its
+  /// largest coordinate (and no more than 2^-16 of its depth on the other side) counts as touching
+  /// it; within such an overlap the order of the two is not defined. The default covers coordinates
   /// with six decimals at a thousand units. 0 cuts every overlap.
   double contact_tolerance = 0x1p-28;
   /// Called now and then with a share of the work in 0..1.

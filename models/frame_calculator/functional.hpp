@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frame calculator, functional level: what the general-purpose computer does in frame 1.
-// Retrieval by spheres against the pyramid of vision follows Levine 1975 (ch. III, COCA trees) and
+// Retrieval by spheres against the pyramid of vision follows Levine 1975 (ch. II, COCA trees) and
 // Sandor 1979 (cluster clipping); that moving models find their place among the static separation
 // planes here is a reconstruction.
 #pragma once

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "models/environment/text_file.hpp"
 #include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
@@ -34,7 +35,9 @@ void check(const Options& options) {
 
 int generate(const Options& options) {
   check(options);
-  const Environment environment = generate_environment(options.kind, options.generate);
+  Environment environment = generate_environment(options.kind, options.generate);
+  const bool obj = lower_ending(options.output) == "obj";
+  if (obj) environment.ground.clear();  // which OBJ cannot hold
   write_environment(environment, options.output);
   std::size_t faces = 0;
   for (const Object& object : environment.objects) faces += object.faces.size();
@@ -50,6 +53,7 @@ int generate(const Options& options) {
     fmt::print("{}: {} objects, {} faces, {} ground faces ({}, seed {})\n", options.output,
                environment.objects.size(), faces, environment.ground.size(), options.kind,
                options.generate.seed);
+    if (obj) fmt::print("OBJ holds objects alone; ground and view need .json or .cbor\n");
   }
   return 0;
 }

@@ -48,8 +48,8 @@ void print_report(const PreparationReport& report, const std::string& output) {
   row("pieces", report.pieces, "convex objects, and faces of the others, after the cuts");
   row("cuts", report.cuts, "times that a plane cut an item in two");
   row("planes", report.planes, "separation planes");
-  row("groups", report.groups, "levels of the priority hierarchy, up to 64 members each");
-  row("depth", report.depth, "groups above the deepest item");
+  row("groups", report.groups, "of the priority hierarchy, up to 64 members each");
+  row("depth", report.depth, "planes above the deepest item");
   row("pairs", report.pairs, "TRUE/FALSE pairs over all groups");
   fmt::print("{:<18}{:>12.3f}  seconds\n", "time", report.seconds);
   for (const Notice& notice : report.notices)

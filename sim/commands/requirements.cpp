@@ -96,7 +96,7 @@ std::vector<Figure> scene_rows(const LoadedScene& scene, const DatabaseFigures& 
       {"edges", figures.edges, "of these faces"},
       {"ground_faces", database.ground.faces.size(), ""},
       {"planes", figures.planes, "separation planes"},
-      {"groups", figures.groups, "levels of the priority hierarchy"},
+      {"groups", figures.groups, "of the priority hierarchy"},
       {"largest_group_members", figures.largest_group, "rows of counters or of the SO matrix"},
       {"largest_group_planes", figures.largest_planes, "side tests of a group"}};
   rows.insert(rows.end(), rest.begin(), rest.end());
@@ -132,7 +132,7 @@ std::vector<Attribute> attributes_of(const LoadedScene& scene, const DatabaseFig
   if (scene.facts)
     rows.push_back({"sun shading", scene.facts->sun,
                     choose(scene.facts->sun, "fixed in the colours at preparation; no stage shades",
-                           "left out: colours as given")});
+                           "left out: stated colours are shown as they are")});
   for (const char* name : {"fading", "smooth shading", "lights", "edge smoothing"})
     rows.push_back({name, false, "left out: no scene format has it"});
   return rows;

@@ -45,6 +45,7 @@ TEST_F(CommandTest, PrepareRefusesWhatItWouldSpoil) {
   expect_unusable({"prepare", "db.json", "-o", "db.json"}, "is an input");
   expect_unusable({"prepare", "a.obj", "-o", "absent/db.json"}, "absent/db.json");
   expect_unusable({"run", "db.json", "--sun", "1,2"}, "--sun: db.json is prepared");
+  expect_unusable({"run", "db.json", "--contact-tolerance", "0"}, "--contact-tolerance: db.json");
   EXPECT_EQ(contents("db.json"), before);
   EXPECT_EQ(files(), (std::vector<std::string>{"a.obj", "db.json"}));
 }

@@ -60,8 +60,9 @@ TEST_F(CommandTest, ImpossibleViewsAreRefused) {
   expect_unusable({"run", "--repeat", "1.5"}, "--repeat");
   expect_unusable({"run", "--number", "half"}, "choose from float, double, exact");
   expect_unusable({"run", "--priority", "z-buffer"}, "choose from counters, so");
-  expect_unusable({"run", "--resolver", "x"}, "choose from coverage, active-list");
+  expect_unusable({"run", "--resolver", "x"}, "choose from auto, painter, coverage, active-list");
   expect_unusable({"run", "--sun", "1"}, "--sun");
+  expect_unusable({"run", "--contact-tolerance", "-1"}, "--contact-tolerance: -1 must lie from 0");
   EXPECT_TRUE(files().empty());
 }
 

@@ -49,7 +49,7 @@ TEST(Scene, MergingKeepsOrderAndReferences) {
 }
 
 TEST(Scene, WithoutAFileItIsTheAirfield) {
-  const LoadedScene scene = load_scene(std::nullopt, std::nullopt);
+  const LoadedScene scene = load_scene(std::nullopt, {});
   EXPECT_GT(scene.database.object_count, 100u);
   EXPECT_FALSE(scene.database.ground.faces.empty());
   ASSERT_TRUE(scene.facts);
