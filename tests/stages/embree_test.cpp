@@ -83,13 +83,20 @@ void check_worlds(std::uint64_t first_seed, int worlds, int views, Make make) {
     Random random(seed);
     const World world = make(random);
     const Database database = prepare(world.environment);
-    MachineOptions options;
-    options.raster = kRaster;
-    FunctionalMachine machine(database, options);
+    std::vector<FunctionalMachine> machines;
+    for (const ResolverMethod resolver :
+         {ResolverMethod::kPainter, ResolverMethod::kCoverage, ResolverMethod::kActiveList}) {
+      MachineOptions options;
+      options.raster = kRaster;
+      options.resolver = resolver;
+      machines.emplace_back(database, options);
+    }
     for (int v = 0; v < views; ++v) {
       SCOPED_TRACE("seed " + std::to_string(seed) + " view " + std::to_string(v));
       const Viewpoint viewpoint = plain_viewpoint(world.environment, random);
-      const std::vector<std::uint16_t>& numbers = machine.compute(viewpoint, 0).numbers;
+      const std::vector<std::uint16_t>& numbers = machines[0].compute(viewpoint, 0).numbers;
+      for (std::size_t m = 1; m < machines.size(); ++m)
+        EXPECT_EQ(machines[m].compute(viewpoint, 0).numbers, numbers) << "resolver " << m;
       compare(polygons_of(world), frame_calculator::view_transform(viewpoint, kRaster),
               {numbers.begin(), numbers.end()}, sum);
     }
