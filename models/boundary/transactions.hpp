@@ -55,16 +55,16 @@ struct ActiveEnvironment {
   std::vector<ActiveGroup> groups;  ///< [0] is the root; breadth first; empty: nothing in view
   /// Moving pieces, each with the place in the static order where it belongs.
   struct MovingPiece {
-    std::uint32_t item = 0;         ///< in the moving set
-    std::uint32_t neighbour = 0;    ///< static item whose place it takes, or kNone: no static item
-    bool before = false;            ///< in front of the neighbour, or behind it
-    std::uint64_t order = 0;        ///< among pieces of one place, ascending from the front
+    std::uint32_t item = 0;       ///< in the moving set
+    std::uint32_t neighbour = 0;  ///< static item whose place it takes, or kNone: no static item
+    bool before = false;          ///< in front of the neighbour, or behind it
+    std::uint64_t order = 0;      ///< among pieces of one place, ascending from the front
   };
   std::vector<MovingPiece> moving;
 };
 
-/// priority_processor -> priority_resolver: items from the highest priority to the lowest. The place
-/// of an item in the list is its priority; a face's follows from its place in the item.
+/// priority_processor -> priority_resolver: items from the highest priority to the lowest. The
+/// place of an item in the list is its priority; a face's follows from its place in the item.
 struct PriorityList {
   std::vector<ItemRef> items;
   std::uint32_t faults = 0;  ///< groups whose counts were not unique
@@ -101,7 +101,7 @@ struct EdgeList {
 
 /// edge_orderer -> priority_resolver: on one line, ascending by element.
 struct Crossing {
-  std::uint32_t face = 0;  ///< into EdgeList::faces
+  std::uint32_t face = 0;     ///< into EdgeList::faces
   std::uint16_t element = 0;  ///< first element at or right of the edge, 0..width
   bool left = false;
 };

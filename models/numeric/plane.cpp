@@ -67,8 +67,8 @@ struct Filtered {
 };
 Filtered filtered(const Plane& plane, const Vec3& x) {
   const Vec3 d = x - plane.exact.p;
-  const double bound = std::abs(d.x) * plane.error.x + std::abs(d.y) * plane.error.y +
-                       std::abs(d.z) * plane.error.z;
+  const double bound =
+      std::abs(d.x) * plane.error.x + std::abs(d.y) * plane.error.y + std::abs(d.z) * plane.error.z;
   return {dot(plane.normal, d), bound};
 }
 
@@ -144,9 +144,10 @@ int side(const Plane& plane, const ExactVec& point) {
 
 int side(const Plane& plane, const Vec3& rounded, const ExactVec& exact) {
   const Filtered f = filtered(plane, rounded);
-  const double slack = 2 * kEps *
-                       (std::abs(plane.normal.x * rounded.x) + std::abs(plane.normal.y * rounded.y) +
-                        std::abs(plane.normal.z * rounded.z));
+  const double slack =
+      2 * kEps *
+      (std::abs(plane.normal.x * rounded.x) + std::abs(plane.normal.y * rounded.y) +
+       std::abs(plane.normal.z * rounded.z));
   if (const int s = decided(f.value, f.bound + slack)) return s;
   ++fallbacks;
   return sign(exact_value(plane, exact));

@@ -20,12 +20,12 @@ struct Shipped {
 };
 
 const Shipped kShipped[] = {
-    {"airfield.json", 158, 1011, 1957, 116}, {"levine-cubes-4.json", 4, 24, 48, 0},
-    {"levine-cubes-8.json", 8, 48, 96, 0},   {"levine-cubes-16.json", 16, 96, 192, 0},
+    {"airfield.json", 158, 1011, 1957, 116},   {"levine-cubes-4.json", 4, 24, 48, 0},
+    {"levine-cubes-8.json", 8, 48, 96, 0},     {"levine-cubes-16.json", 16, 96, 192, 0},
     {"levine-cubes-24.json", 24, 144, 288, 0}, {"levine-cubes-32.json", 32, 192, 384, 0},
     {"levine-cubes-48.json", 48, 288, 576, 0}, {"levine-city.json", 16, 96, 192, 0},
-    {"fuchs-overlap.json", 3, 3, 12, 0},     {"stump-case-1.deck", 2, 12, 24, 0},
-    {"stump-case-2.deck", 4, 24, 48, 0},     {"stump-case-3.deck", 5, 30, 60, 0},
+    {"fuchs-overlap.json", 3, 3, 12, 0},       {"stump-case-1.deck", 2, 12, 24, 0},
+    {"stump-case-2.deck", 4, 24, 48, 0},       {"stump-case-3.deck", 5, 30, 60, 0},
 };
 
 std::filesystem::path scenes() { return std::filesystem::path(CIGSIM_SOURCE_DIR) / "scenes"; }
@@ -34,8 +34,7 @@ std::size_t edges_of(const Object& object) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const Face& face : object.faces)
     for (std::size_t i = 0; i < face.vertices.size(); ++i)
-      edges.insert(std::minmax(face.vertices[i],
-                               face.vertices[(i + 1) % face.vertices.size()]));
+      edges.insert(std::minmax(face.vertices[i], face.vertices[(i + 1) % face.vertices.size()]));
   return edges.size();
 }
 
@@ -57,7 +56,8 @@ TEST_P(ShippedScene, IsReadWithoutNoticesAndHoldsWhatItsTableSays) {
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::ValuesIn(kShipped), [](const auto& info) {
   std::string name = info.param.file;
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
   return name;
 });
 
