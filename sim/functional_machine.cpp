@@ -118,6 +118,7 @@ class FunctionalMachine::Impl {
       stats_.stages.video_processor = milliseconds_since(lap);
       return;
     }
+    s.painter.forget();
     if (options_.resolver == ResolverMethod::kActiveList) {
       s.orderer.compute(s.edges, raster, crossings_);
       stats_.stages.edge_orderer = milliseconds_since(lap);
