@@ -136,18 +136,27 @@ class Builder {
     }
   }
 
+  // A group's sphere is taken around the spheres of all items below it, which is tighter than one
+  // around those of its members.
   void place_spheres() {
     // Subgroups come after their groups, so going backwards finds their spheres ready.
-    std::vector<Sphere> of_group(out_.groups.size()), spheres;
+    std::vector<Sphere> of_group(out_.groups.size());
+    std::vector<std::vector<Sphere>> below(out_.groups.size());
     for (std::size_t g = out_.groups.size(); g-- > 0;) {
       const Group& group = out_.groups[g];
-      spheres.clear();
       for (std::uint32_t m = 0; m < group.member_count; ++m) {
         Member& member = out_.members[group.first_member + m];
-        member.sphere = member.is_group ? of_group[member.index] : set_.items[member.index].sphere;
-        spheres.push_back(member.sphere);
+        if (member.is_group) {
+          member.sphere = of_group[member.index];
+          std::vector<Sphere>& items = below[member.index];
+          below[g].insert(below[g].end(), items.begin(), items.end());
+          items = {};
+        } else {
+          member.sphere = set_.items[member.index].sphere;
+          below[g].push_back(member.sphere);
+        }
       }
-      of_group[g] = enclosing(spheres);
+      of_group[g] = enclosing(below[g]);
     }
   }
 
