@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <limits>
+#include <span>
 
 #include "models/database/face_set_builder.hpp"
 #include "models/database/hierarchy.hpp"
@@ -137,23 +138,44 @@ FaceSet prepare_ground(Preparation& p) {
   return out;
 }
 
-// From the south-east and above, so that everything is in view.
-DefaultView sensible_view(const Database& database) {
-  std::vector<Sphere> spheres;
+// Every vertex that stands still; those of the ground when there is no other.
+std::vector<std::span<const Vec3>> standing_vertices(const Database& database) {
+  std::vector<std::span<const Vec3>> sets;
   for (const PreparedSystem& system : database.systems)
-    if (!system.set.items.empty() && system.motion.empty()) spheres.push_back(system.sphere);
-  if (spheres.empty())
-    for (const Item& item : database.ground.items) spheres.push_back(item.sphere);
-  const Sphere all = spheres.empty() ? Sphere{{0, 0, 0}, 1} : enclosing(spheres);
-  const double radius = all.radius > 0 ? all.radius : 1;
+    if (!system.set.vertices.empty() && system.motion.empty()) sets.push_back(system.set.vertices);
+  if (sets.empty() && !database.ground.vertices.empty()) sets.push_back(database.ground.vertices);
+  return sets;
+}
+
+// From the south-east and 25 degrees above, the nearest eyepoint from which a square picture holds
+// everything, with a margin.
+DefaultView sensible_view(const Database& database) {
+  static constexpr Vec3 kOrigin[] = {{0, 0, 0}};
+  std::vector<std::span<const Vec3>> sets = standing_vertices(database);
+  if (sets.empty()) sets.push_back(kOrigin);
   DefaultView view;
   view.fov = 50;
-  // 25 degrees above the horizon, at the distance from which the sphere fills the field of view.
-  const double distance = radius / std::sin(25 * 3.14159265358979323846 / 180);
-  const double level = distance * 0.90630778703665, rise = distance * 0.42261826174070;
-  view.eye.position = all.centre + Vec3{level * 0.5, -level * 0.86602540378444, rise};
   view.eye.heading = 330;
   view.eye.pitch = -25;
+  const Mat3 axes = body_axes(view.eye);
+  const double tangent = sin_degrees(view.fov / 2) / cos_degrees(view.fov / 2) / 1.08;
+  const Vec3 origin = sets[0][0];
+  // How far points stand out of a pyramid through `origin` on its four sides, and behind it.
+  constexpr double kLeast = -std::numeric_limits<double>::infinity();
+  double right = kLeast, left = kLeast, up = kLeast, down = kLeast, near = kLeast;
+  for (const std::span<const Vec3> set : sets)
+    for (const Vec3& p : set) {
+      const Vec3 d = axes * (p - origin);
+      right = std::max(right, d.y - tangent * d.x);
+      left = std::max(left, -d.y - tangent * d.x);
+      up = std::max(up, d.z - tangent * d.x);
+      down = std::max(down, -d.z - tangent * d.x);
+      near = std::max(near, -d.x);
+    }
+  const double fit = std::max(right + left, up + down) / (2 * tangent);
+  const double back = fit > near ? fit : near + 1;
+  view.eye.position = origin + axes.row[1] * ((right - left) / 2) +
+                      axes.row[2] * ((up - down) / 2) - axes.row[0] * back;
   return view;
 }
 
