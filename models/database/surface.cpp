@@ -164,6 +164,40 @@ bool is_convex_body(const Surface& surface) {
   return true;
 }
 
+// Faces up to which a convex body is searched for coplanar ones.
+constexpr std::size_t kMostFacesToJoin = 2000;
+
+// On a convex body coplanar faces that share edges and a colour are one face of the body, whichever
+// way the input divides it.
+void join_coplanar_faces(Surface& surface, const Object& object, Notices& notices) {
+  if (surface.faces.size() > kMostFacesToJoin) return;
+  std::vector<SurfaceFace> joined;
+  std::vector<char> taken(surface.faces.size(), 0);
+  for (std::size_t i = 0; i < surface.faces.size(); ++i) {
+    if (taken[i]) continue;
+    const SurfaceFace& first = surface.faces[i];
+    std::vector<Loop> loops{first.loop};
+    for (std::size_t j = i + 1; j < surface.faces.size(); ++j) {
+      const SurfaceFace& other = surface.faces[j];
+      if (taken[j] || object.faces[first.source].colour != object.faces[other.source].colour ||
+          !(dot(first.plane.normal, other.plane.normal) > 0) ||
+          !on_plane(first.plane, surface.vertices, other.loop))
+        continue;
+      loops.push_back(other.loop);
+      taken[j] = 1;
+    }
+    if (loops.size() > 1) {
+      const std::size_t before = loops.size();
+      const auto flat = FlatLoop::make(surface.vertices, first.loop);
+      loops = join_convex(*flat, std::move(loops));
+      notices.add("coplanar face of a convex object: joined to its neighbour",
+                  before - loops.size());
+    }
+    for (Loop& loop : loops) joined.push_back({std::move(loop), first.plane, first.source});
+  }
+  surface.faces = std::move(joined);
+}
+
 }  // namespace
 
 Surface make_surface(const Object& object, Notices& notices) {
@@ -183,6 +217,7 @@ Surface make_surface(const Object& object, Notices& notices) {
   else if (!surface.closed)
     notices.add("object not closed: seen from both sides");
   surface.convex = surface.closed && winding.parts == 1 && is_convex_body(surface);
+  if (surface.convex) join_coplanar_faces(surface, object, notices);
   return surface;
 }
 

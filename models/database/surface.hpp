@@ -13,7 +13,8 @@
 //    object is seen from both sides;
 //  - a face that is not planar becomes triangles: those of the convex hull where the object is
 //    closed, else ears; a face that is not convex becomes convex ones;
-//  - an object is convex when it is closed, in one part, and no vertex lies in front of a face.
+//  - an object is convex when it is closed, in one part, and no vertex lies in front of a face; its
+//    coplanar faces of one colour that share edges are joined.
 #pragma once
 
 #include "models/database/notices.hpp"

@@ -70,6 +70,37 @@ TEST(Surface, CubeStaysAsItIs) {
   EXPECT_EQ(volume(m.surface), 6);
 }
 
+// Each face of the cube as two triangles, the second of a colour of its own on `painted` faces.
+Object triangulated_cube(std::size_t painted) {
+  Object cube = unit_cube();
+  std::vector<Face> triangles;
+  for (const Face& f : cube.faces) {
+    const auto& v = f.vertices;
+    triangles.push_back({{v[0], v[1], v[2]}, Colour{10, 20, 30}});
+    triangles.push_back({{v[2], v[3], v[0]}, Colour{10, 20, 30}});
+    if (triangles.size() <= 2 * painted) triangles.back().colour = Colour{200, 0, 0};
+  }
+  cube.faces = triangles;
+  return cube;
+}
+
+TEST(Surface, CoplanarTrianglesOfAConvexBodyAreJoined) {
+  const Made made(triangulated_cube(0));
+  EXPECT_TRUE(made.surface.convex);
+  ASSERT_EQ(made.surface.faces.size(), 6u);
+  for (const SurfaceFace& f : made.surface.faces) EXPECT_EQ(f.loop.size(), 4u);
+  EXPECT_EQ(made.count("joined"), 6u);
+  EXPECT_EQ(volume(made.surface), 6);
+  expect_faces_are_planar_convex_and_front(made.surface);
+}
+
+TEST(Surface, CoplanarTrianglesOfTwoColoursStayApart) {
+  const Made made(triangulated_cube(2));
+  EXPECT_TRUE(made.surface.convex);
+  EXPECT_EQ(made.surface.faces.size(), 8u);
+  EXPECT_EQ(volume(made.surface), 6);
+}
+
 TEST(Surface, VerticesAtOnePlaceAreMerged) {
   const Object cube = unit_cube();
   Object apart;  // every face with vertices of its own, and -0 beside 0
