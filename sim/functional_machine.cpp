@@ -28,18 +28,13 @@ double milliseconds_since(Clock::time_point& from) {
   return ms;
 }
 
-priority_processor::Method method(PriorityMethod m) {
-  return m == PriorityMethod::kCounters ? priority_processor::Method::kCounters
-                                        : priority_processor::Method::kSoMatrix;
-}
-
 // How many times over faces may cover the raster before resolving costs less than painting.
 constexpr double kPaintedDepth = 3;
 
 // The stages that depend on the number type.
 template <class N>
 struct Stages {
-  explicit Stages(PriorityMethod m) : priority(method(m)) {}
+  explicit Stages(PriorityMethod method) : priority(method) {}
 
   priority_processor::Functional<N> priority;
   geometry_processor::Functional<N> geometry;
@@ -49,28 +44,30 @@ struct Stages {
   EdgeList<N> edges;
 };
 
+using AnyStages = std::variant<Stages<double>, Stages<float>, Stages<Exact>>;
+
+AnyStages make_stages(const MachineOptions& options) {
+  switch (options.number) {
+    case NumberType::kFloat:
+      return Stages<float>(options.priority);
+    case NumberType::kExact:
+      return Stages<Exact>(options.priority);
+    case NumberType::kDouble:
+      break;
+  }
+  return Stages<double>(options.priority);
+}
+
 }  // namespace
 
 class FunctionalMachine::Impl {
  public:
   Impl(const Database& database, const MachineOptions& options)
-      : database_(database), options_(options), frame_calculator_(database) {
-    // The display's memory is there before the first frame.
-    const std::size_t elements = static_cast<std::size_t>(options.raster.width) *
-                                 static_cast<std::size_t>(options.raster.height);
-    picture_.colours.assign(elements, 0);
-    picture_.numbers.assign(elements, 0);
-    switch (options.number) {
-      case NumberType::kFloat:
-        stages_.emplace<Stages<float>>(options.priority);
-        break;
-      case NumberType::kDouble:
-        stages_.emplace<Stages<double>>(options.priority);
-        break;
-      case NumberType::kExact:
-        stages_.emplace<Stages<Exact>>(options.priority);
-        break;
-    }
+      : database_(database),
+        options_(options),
+        frame_calculator_(database),
+        stages_(make_stages(options)) {
+    picture_.fit(options.raster);  // the display's memory is there before the first frame
   }
 
   const Picture& compute(const Viewpoint& viewpoint, double frame) {
@@ -81,7 +78,7 @@ class FunctionalMachine::Impl {
     counted_ = false;
     frame_calculator_.compute(viewpoint, options_.raster, frame, active_, moving_);
     stats_.stages.frame_calculator = milliseconds_since(lap);
-    visit([&](auto& stages) { run(stages, lap); });
+    std::visit([&](auto& stages) { run(stages, lap); }, stages_);
     stats_.host_ms = std::chrono::duration<double, std::milli>(lap - start).count();
     stats_.exact_tests = exact_fallbacks() - fallbacks;
     stats_.certified = options_.number == NumberType::kExact;
@@ -89,21 +86,12 @@ class FunctionalMachine::Impl {
   }
 
   const FrameStats& stats() {
-    if (!counted_) visit([this](auto& stages) { count(stages); });
+    if (!counted_) std::visit([this](auto& stages) { count(stages); }, stages_);
     counted_ = true;
     return stats_;
   }
 
  private:
-  template <class F>
-  void visit(F f) {
-    std::visit(
-        [&](auto& stages) {
-          if constexpr (!std::is_same_v<std::decay_t<decltype(stages)>, std::monostate>) f(stages);
-        },
-        stages_);
-  }
-
   template <class N>
   void run(Stages<N>& s, Clock::time_point& lap) {
     const Raster& raster = options_.raster;
@@ -166,7 +154,7 @@ class FunctionalMachine::Impl {
   const Database& database_;
   MachineOptions options_;
   frame_calculator::Functional frame_calculator_;
-  std::variant<std::monostate, Stages<float>, Stages<double>, Stages<Exact>> stages_;
+  AnyStages stages_;
   priority_resolver::Functional resolver_;
   video_processor::Functional video_;
   ActiveEnvironment active_;

@@ -8,14 +8,12 @@
 
 #include "models/boundary/transactions.hpp"
 #include "models/database/database.hpp"
+#include "models/priority_processor/group_order.hpp"
 
 namespace cigsim {
 
 enum class NumberType { kFloat, kDouble, kExact };
-enum class PriorityMethod {
-  kCounters,  ///< Stump 1986: a counter per object over TRUE/FALSE pairs
-  kSoMatrix   ///< Levine 1975, ch. VI.E: the separating-object bit matrix
-};
+using PriorityMethod = priority_processor::Method;
 enum class ResolverMethod {
   kAuto,       ///< painter or coverage, by how much the frame's faces overlap
   kPainter,    ///< faces from the lowest priority up, each over those before it; no spans

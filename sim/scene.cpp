@@ -52,6 +52,12 @@ LoadedScene prepared(std::string name, const ReadResult& scene, const Preparatio
 
 }  // namespace
 
+void add_scene_option(CLI::App& command, std::optional<std::string>& scene) {
+  command
+      .add_option("SCENE", scene, "Scene file or prepared database. Default: the built-in airfield")
+      ->type_name("");
+}
+
 void add_preparation_options(CLI::App& command, PreparationChoices& choices) {
   command
       .add_option_function<std::string>(

@@ -31,6 +31,9 @@ struct PreparationChoices {
   std::optional<double> contact_tolerance;
 };
 
+/// SCENE.
+void add_scene_option(CLI::App& command, std::optional<std::string>& scene);
+
 /// --sun AZ,EL and --contact-tolerance SHARE.
 void add_preparation_options(CLI::App& command, PreparationChoices& choices);
 

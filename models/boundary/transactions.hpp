@@ -90,13 +90,11 @@ struct Edge {
   N x{}, slope{};
 };
 
-/// geometry_processor -> edge_orderer. Faces of item k of the list are
-/// [first_face[k], first_face[k + 1]), in the item's order.
+/// geometry_processor -> edge_orderer. Faces in the order of the list, and of each item's own.
 template <class N>
 struct EdgeList {
   std::vector<RasterFace> faces;
   std::vector<Edge<N>> edges;
-  std::vector<std::uint32_t> first_face;
 };
 
 /// edge_orderer -> priority_resolver: on one line, ascending by element.
@@ -117,6 +115,13 @@ struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint32_t> colours;  ///< 0xAABBGGRR: bytes R, G, B, A in memory; A = 255
   std::vector<std::uint16_t> numbers;  ///< object numbers; 65535 stands for itself and above
+
+  void fit(const Raster& raster) {
+    width = raster.width;
+    height = raster.height;
+    colours.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    numbers.resize(colours.size());
+  }
 };
 
 }  // namespace cigsim

@@ -6,6 +6,7 @@
 
 #include "models/database/separation.hpp"
 #include "models/database/sweep.hpp"
+#include "models/environment/random.hpp"
 
 namespace cigsim {
 namespace {
@@ -22,21 +23,6 @@ constexpr std::size_t kPairCandidates = 24;
 constexpr std::size_t kFreeBodies = 8192, kFreePolygons = 64;
 // What one cut counts against one item of imbalance.
 constexpr std::uint64_t kCutWeight = 8;
-
-// SplitMix64 (Steele, Lea, Flood 2014): the sampling is the same on every machine.
-class Sampler {
- public:
-  explicit Sampler(std::uint64_t seed) : state_(seed) {}
-  std::size_t below(std::size_t n) {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<std::size_t>((z ^ (z >> 31)) % n);
-  }
-
- private:
-  std::uint64_t state_;
-};
 
 struct Counts {
   std::uint64_t positive = 0, negative = 0, flat = 0, cut = 0;
@@ -70,7 +56,7 @@ struct Task {
 class Partitioner {
  public:
   Partitioner(WorkSet& set, const std::function<void(std::uint64_t, std::uint64_t)>& progress)
-      : set_(set), progress_(progress), sampler_(set.items.size()) {}
+      : set_(set), progress_(progress), random_(set.items.size()) {}
 
   Partition run() {
     ItemList all(set_.items.size());
@@ -91,12 +77,10 @@ class Partitioner {
       leaf(std::move(task.items), task.slot);
       return;
     }
-    Sweep sweep = best_sweep(set_, task.items);
-    if (sweep.starts.size() > 1) {
+    const Sweep sweep = best_sweep(set_, task.items);
+    if (sweep.starts.size() > 1)
       split_by_sweep(sweep, task.slot);
-      return;
-    }
-    if (const auto candidate = choose(task.items))
+    else if (const auto candidate = choose(task.items))
       split(*candidate, task);
     else
       explode_or_sheet(std::move(task));
@@ -117,11 +101,8 @@ class Partitioner {
   }
 
   void leaf(ItemList items, Slot slot) {
-    if (items.size() > 1) {
-      std::sort(items.begin(), items.end(),
-                [&](std::uint32_t a, std::uint32_t b) { return order_of(a) < order_of(b); });
-      ++result_.sheets;
-    }
+    std::sort(items.begin(), items.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return order_of(a) < order_of(b); });
     done_ += items.size();
     attach(slot, ~static_cast<std::int32_t>(result_.leaves.size()));
     result_.leaves.push_back(std::move(items));
@@ -235,9 +216,9 @@ class Partitioner {
       return;
     }
     for (std::size_t k = 0; k < kFaceCandidates; ++k) {
-      const WorkItem& item = set_.items[items[sampler_.below(items.size())]];
+      const WorkItem& item = set_.items[items[random_.below(items.size())]];
       const WorkPolygon& polygon =
-          set_.polygons[item.first_polygon + sampler_.below(item.polygon_count)];
+          set_.polygons[item.first_polygon + random_.below(item.polygon_count)];
       consider(set_.planes[polygon.plane], polygon.plane);
     }
   }
@@ -255,7 +236,7 @@ class Partitioner {
       return;
     }
     for (std::size_t k = 0; k < kPairCandidates; ++k) {
-      const std::size_t i = sampler_.below(n), j = sampler_.below(n - 1);
+      const std::size_t i = random_.below(n), j = random_.below(n - 1);
       pair(items[i], items[j < i ? j : j + 1]);
     }
   }
@@ -322,10 +303,10 @@ class Partitioner {
     }
     if (!flat.empty() && !negative.empty()) {
       const std::int32_t at = node(chosen.plane, slot);
-      leaf_or_task(std::move(flat), {at, true});
+      sheet(std::move(flat), {at, true});
       tasks_.push_back({std::move(negative), {at, false}});
     } else if (!flat.empty()) {
-      leaf_or_task(std::move(flat), slot);
+      sheet(std::move(flat), slot);
     } else {
       tasks_.push_back({std::move(negative), slot});
     }
@@ -335,18 +316,19 @@ class Partitioner {
   // side belong to the same sheet: only their fixed order decides where they overlap.
   void detach_coplanar(const Plane& plane, unsigned sides, ItemList& items, ItemList& flat) {
     for (std::uint32_t& i : items) {
-      const auto [rest, sheet] = set_.detach(plane, i, sides);
-      if (sheet == WorkSet::kNothing) continue;
+      const auto [rest, coplanar] = set_.detach(plane, i, sides);
+      if (coplanar == WorkSet::kNothing) continue;
       i = rest;
-      flat.push_back(sheet);
+      flat.push_back(coplanar);
       ++total_;
     }
   }
 
   // Coplanar polygons: a sheet in their fixed order, after gaps between them have been used.
-  void leaf_or_task(ItemList items, Slot slot) {
-    if (items.size() > 1 && best_sweep(set_, items).starts.size() > 1)
-      tasks_.push_back({std::move(items), slot});
+  void sheet(ItemList items, Slot slot) {
+    const Sweep sweep = best_sweep(set_, items);
+    if (sweep.starts.size() > 1)
+      split_by_sweep(sweep, slot);
     else
       leaf(std::move(items), slot);
   }
@@ -370,7 +352,7 @@ class Partitioner {
 
   WorkSet& set_;
   const std::function<void(std::uint64_t, std::uint64_t)>& progress_;
-  Sampler sampler_;
+  Random random_;  // the sampling is the same on every machine
   Partition result_;
   std::vector<Task> tasks_;
   std::size_t free_size_ = 0;

@@ -24,7 +24,6 @@ struct Partition {
   std::vector<std::vector<std::uint32_t>> leaves;
   std::uint64_t cuts = 0;
   std::uint64_t tolerated = 0;  ///< times that an item within the contact tolerance was not cut
-  std::uint64_t sheets = 0;     ///< leaves with coplanar polygons of several faces
 };
 
 /// Partitions all items of the set; cuts append to it. `progress` gets the items done and all

@@ -18,7 +18,8 @@ namespace {
 
 struct Preparation {
   const Environment& environment;
-  std::optional<Sun> sun;
+  bool sun;          // shade stated colours too
+  Vec3 towards_sun;  // the scene's sun, or the one that shades invented colours
   double contact_tolerance;
   Notices notices;
   PreparationReport report;
@@ -29,7 +30,7 @@ Colour face_colour(const Preparation& p, std::uint32_t object, const Face& face,
   const Colour colour = face.colour.value_or(palette_colour(object + 1));
   // Without a sun only invented colours are shaded, so that bodies can be made out.
   if (!p.sun && face.colour) return colour;
-  return shaded(colour, plane.normal, towards(p.sun.value_or(Sun{})));
+  return shaded(colour, plane.normal, p.towards_sun);
 }
 
 // Systems without motion belong to the environment's own once they are placed.
@@ -39,6 +40,21 @@ Object placed(Object object, const Placement& placement) {
   const Placing place(placement);
   for (Vec3& v : object.vertices) v = place(v);
   return object;
+}
+
+// Adds the faces of a surface to the working set; `origin_of` tells where a face comes from, and
+// `added` is called after each.
+template <class OriginOf, class Added>
+void add_faces(WorkSet& set, const Surface& surface, OriginOf origin_of, Added added) {
+  const auto base = static_cast<std::uint32_t>(set.vertex_count());
+  for (const Vec3& v : surface.vertices) set.add_vertex(v);
+  Loop corners;
+  for (const SurfaceFace& face : surface.faces) {
+    corners = face.loop;
+    for (std::uint32_t& c : corners) c += base;
+    set.add_polygon(corners, set.add_plane(face.plane), origin_of(face));
+    added();
+  }
 }
 
 // Adds an object's faces to the working set: one item when it is convex, else an item a face.
@@ -52,18 +68,15 @@ void add_object(Preparation& p, WorkSet& set, std::uint32_t object, std::uint32_
                                        p.notices);
   p.report.convex_objects += surface.convex;
   p.report.unclosed_objects += !surface.closed && !surface.faces.empty();
-  const auto base = static_cast<std::uint32_t>(set.vertex_count());
-  for (const Vec3& v : surface.vertices) set.add_vertex(v);
-  Loop corners;
-  for (const SurfaceFace& face : surface.faces) {
-    corners = face.loop;
-    for (std::uint32_t& c : corners) c += base;
-    const Face& source = source_object.faces[face.source];
-    set.add_polygon(
-        corners, set.add_plane(face.plane),
-        {object + 1, order++, face_colour(p, object, source, face.plane), !surface.closed});
-    if (!surface.convex) set.add_item(1);
-  }
+  add_faces(
+      set, surface,
+      [&](const SurfaceFace& face) -> FaceOrigin {
+        const Face& source = source_object.faces[face.source];
+        return {object + 1, order++, face_colour(p, object, source, face.plane), !surface.closed};
+      },
+      [&] {
+        if (!surface.convex) set.add_item(1);
+      });
   if (surface.convex) set.add_item(static_cast<std::uint32_t>(surface.faces.size()));
 }
 
@@ -123,15 +136,13 @@ FaceSet prepare_ground(Preparation& p) {
     const Surface surface = make_surface(object, unclosed);
     for (const Notice& notice : unclosed.list())
       if (!notice.what.starts_with("object")) p.notices.add("ground: " + notice.what, notice.count);
-    const auto base = static_cast<std::uint32_t>(work.vertex_count());
-    for (const Vec3& v : surface.vertices) work.add_vertex(v);
-    for (const SurfaceFace& f : surface.faces) {
-      Loop corners = f.loop;
-      for (std::uint32_t& c : corners) c += base;
-      const auto number = static_cast<std::uint32_t>(p.environment.objects.size() + g + 1);
-      work.add_polygon(corners, work.add_plane(f.plane), {number, 0, ground[g].colour, true});
-      leaf.push_back(work.add_item(1));
-    }
+    const auto number = static_cast<std::uint32_t>(p.environment.objects.size() + g + 1);
+    add_faces(
+        work, surface,
+        [&](const SurfaceFace&) -> FaceOrigin {
+          return {number, 0, ground[g].colour, true};
+        },
+        [&] { leaf.push_back(work.add_item(1)); });
   }
   FaceSet out;
   if (!leaf.empty()) FaceSetBuilder(work, out).add(leaf);
@@ -183,8 +194,10 @@ DefaultView sensible_view(const Database& database) {
 
 Database prepare(const Environment& environment, const PrepareOptions& options) {
   const auto start = std::chrono::steady_clock::now();
+  const std::optional<Sun> sun = options.sun ? options.sun : environment.sun;
   Preparation p{
-      environment, options.sun ? options.sun : environment.sun, options.contact_tolerance, {}, {}};
+      environment, sun.has_value(), towards(sun.value_or(Sun{})), options.contact_tolerance, {},
+      {}};
   Database database;
   database.name = environment.name;
   database.background = environment.background;
@@ -194,7 +207,7 @@ Database prepare(const Environment& environment, const PrepareOptions& options) 
     if (s == 0 || !stands_still(environment.systems[s]))
       database.systems.push_back(prepare_system(p, s, options.progress));
   database.ground = prepare_ground(p);
-  database.view = environment.view.value_or(sensible_view(database));
+  database.view = environment.view ? *environment.view : sensible_view(database);
   p.report.objects = environment.objects.size();
   p.report.notices = p.notices.list();
   p.report.seconds =

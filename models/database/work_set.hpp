@@ -28,8 +28,7 @@ struct WorkPolygon {
   FaceOrigin origin;
 };
 
-/// An item's polygons are consecutive. `patch`: they belong to one convex object, so that their
-/// order does not matter. A single polygon is a patch of one.
+/// Consecutive polygons of one convex object, so that their order does not matter, or a single one.
 struct WorkItem {
   std::uint32_t first_polygon = 0, polygon_count = 0;
   std::array<double, 3> low{}, high{};  ///< contains every vertex, exactly
@@ -84,7 +83,7 @@ class WorkSet {
   int classify(const Plane& plane, const WorkItem& item, std::uint32_t face_plane = kNothing,
                bool* tolerated = nullptr) const;
 
-  /// Replaces an item that lies across the plane by its two parts; returns {positive, negative}.
+  /// Adds the two parts of an item that lies across the plane; returns {positive, negative}.
   std::array<std::uint32_t, 2> cut(const Plane& plane, std::uint32_t item);
 
   /// True when the polygon lies in the plane, exactly.
@@ -96,11 +95,12 @@ class WorkSet {
     return dot(planes[polygon.plane].normal, plane.normal) > 0 ? 1 : 2;
   }
 
-  /// Takes the polygons of an item that lie in the plane and are seen from one of `sides` out of
-  /// it; returns {the rest, an item of those}, or the item itself and kNothing when there is none.
+  /// Parts the polygons of an item that lie in the plane and are seen from one of `sides` from its
+  /// others; returns {the rest, an item of those}, or the item itself and kNothing when there is
+  /// none.
   std::array<std::uint32_t, 2> detach(const Plane& plane, std::uint32_t item, unsigned sides);
 
-  /// Replaces an item by one item a polygon.
+  /// Adds one item for each polygon of an item.
   std::vector<std::uint32_t> explode(std::uint32_t item);
 
  private:

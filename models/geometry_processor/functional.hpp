@@ -31,17 +31,14 @@ class Functional {
                EdgeList<N>& out) {
     out.faces.clear();
     out.edges.clear();
-    out.first_face.clear();
     start(view);
     for (const ItemRef& ref : items) {
-      out.first_face.push_back(static_cast<std::uint32_t>(out.faces.size()));
       const FaceSet& set = *sets[static_cast<std::size_t>(ref.set)];
       const Item& item = set.items[ref.item];
       transform(set, item);
       if (all_codes_ != 0) continue;
       for (std::uint32_t f = 0; f < item.face_count; ++f) process(set, item, f, out);
     }
-    out.first_face.push_back(static_cast<std::uint32_t>(out.faces.size()));
   }
 
   /// One face of an item by itself; appends to `out`.

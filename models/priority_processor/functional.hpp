@@ -13,8 +13,6 @@
 
 namespace cigsim::priority_processor {
 
-enum class Method { kCounters, kSoMatrix };
-
 /// TRUE when the eyepoint is on the normal's side or on the plane. In double and Exact the answer
 /// is exact (a filter, then rational arithmetic); float computes in float.
 template <class N>

@@ -12,6 +12,11 @@
 
 namespace cigsim::priority_processor {
 
+enum class Method {
+  kCounters,  ///< Stump 1986: a counter per object over TRUE/FALSE pairs
+  kSoMatrix   ///< Levine 1975, ch. VI.E: the separating-object bit matrix
+};
+
 struct GroupOrder {
   std::array<std::uint8_t, kGroupCapacity> member{};  ///< by count, 0 = highest priority
   std::uint32_t count = 0;

@@ -24,11 +24,8 @@ void fill_line(std::span<const Span> spans, std::span<const RasterFace> faces,
 void Functional::compute(const priority_resolver::SpanLines& spans,
                          std::span<const RasterFace> faces, const Colour& background,
                          const Raster& raster, Picture& out) {
-  out.width = raster.width;
-  out.height = raster.height;
+  out.fit(raster);
   const std::size_t width = static_cast<std::size_t>(raster.width);
-  out.colours.resize(width * static_cast<std::size_t>(raster.height));
-  out.numbers.resize(out.colours.size());
   for (int r = 0; r < raster.height; ++r) {
     const std::size_t row = static_cast<std::size_t>(r) * width;
     fill_line(spans.line(r), faces, packed(background), out.colours.data() + row,

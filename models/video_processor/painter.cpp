@@ -55,10 +55,7 @@ void Painter<N>::compute(const EdgeList<N>& edges, const Colour& background, con
 template <class N>
 void Painter<N>::start(const Raster& raster, Picture& out) {
   const std::size_t height = static_cast<std::size_t>(raster.height);
-  out.width = raster.width;
-  out.height = raster.height;
-  out.colours.resize(static_cast<std::size_t>(raster.width) * height);
-  out.numbers.resize(out.colours.size());
+  out.fit(raster);
   if (painted_from_.size() == height) return;
   painted_from_.assign(height, 0);
   painted_to_.assign(height, raster.width);

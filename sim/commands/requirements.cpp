@@ -196,10 +196,7 @@ void add_requirements(CLI::App& program, int& exit_code) {
       "Examples:\n"
       "  cigsim requirements                             the built-in airfield\n"
       "  cigsim requirements city.json --path fly.csv    the worst over a path\n");
-  command
-      ->add_option("SCENE", options->scene,
-                   "Scene file or prepared database. Default: the built-in airfield")
-      ->type_name("");
+  add_scene_option(*command, options->scene);
   add_view_options(*command, options->view);
   add_preparation_options(*command, options->preparation);
   command->add_flag("--json", options->json, "Print the figures as JSON");

@@ -190,10 +190,7 @@ void add_run(CLI::App& program, int& exit_code) {
       "  cigsim run --path builtin --frames 100          an approach to it\n"
       "  cigsim run city.obj --eye -50,-300,80 --look-at 0,0,0 --raster 640x480\n"
       "  cigsim run --number exact --repeat 5 --out exact\n");
-  command
-      ->add_option("SCENE", options->scene,
-                   "Scene file or prepared database. Default: the built-in airfield")
-      ->type_name("");
+  add_scene_option(*command, options->scene);
   add_view_options(*command, options->view);
   add_preparation_options(*command, options->preparation);
   add_machine_options(*command, *options);
