@@ -286,8 +286,7 @@ class Partitioner {
     }
     if (!flat.empty()) {
       unsigned sides = 0;
-      for (const std::uint32_t i : flat)
-        sides |= set_.seen_from(chosen.plane, set_.polygons[set_.items[i].first_polygon]);
+      for (const std::uint32_t i : flat) sides |= set_.seen_from(chosen.plane, set_.items[i]);
       detach_coplanar(chosen.plane, sides, positive, flat);
       detach_coplanar(chosen.plane, sides, negative, flat);
     }

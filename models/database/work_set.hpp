@@ -89,10 +89,16 @@ class WorkSet {
   /// True when the polygon lies in the plane, exactly.
   bool lies_in(const Plane& plane, const WorkPolygon& polygon) const;
 
-  /// The sides from which a polygon in the plane is seen: bit 0 the normal's, bit 1 the other.
+  /// The sides from which polygons in the plane are seen: bit 0 the normal's, bit 1 the other.
   unsigned seen_from(const Plane& plane, const WorkPolygon& polygon) const {
     if (polygon.origin.two_sided) return 3;
     return dot(planes[polygon.plane].normal, plane.normal) > 0 ? 1 : 2;
+  }
+  unsigned seen_from(const Plane& plane, const WorkItem& item) const {
+    unsigned sides = 0;
+    for (std::uint32_t p = 0; p < item.polygon_count; ++p)
+      sides |= seen_from(plane, polygons[item.first_polygon + p]);
+    return sides;
   }
 
   /// Parts the polygons of an item that lie in the plane and are seen from one of `sides` from its

@@ -2,6 +2,7 @@
 // Scenes that are odd, but not wrong: each gives a picture, and the right one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/database/prepare.hpp"
@@ -90,6 +91,22 @@ TEST(DegenerateScenes, OfCoplanarPolygonsTheFirstIsSeenFromBothSides) {
     EXPECT_EQ(machine.compute(viewpoint, 0).numbers[0], 2);
     viewpoint.eye.position = {2.5, 0.75, z};
     EXPECT_EQ(machine.compute(viewpoint, 0).numbers[0], 3);
+  }
+}
+
+// A closed sheet is two faces back to back; whichever comes first in it, a face of another object
+// in its plane is ordered against the one that is seen.
+TEST(DegenerateScenes, AClosedSheetInTheFaceOfABodyComesAfterTheBodysFace) {
+  for (const bool turned : {false, true}) {
+    World world;
+    world.add(box_between({0, 0, 0}, {4, 4, 2}));
+    Object sheet = polygon({{1, 1, 2}, {6, 1, 2}, {6, 3, 2}, {1, 3, 2}});
+    Face back = sheet.faces[0];
+    std::reverse(back.vertices.begin(), back.vertices.end());
+    sheet.faces.insert(turned ? sheet.faces.begin() : sheet.faces.end(), back);
+    world.add(sheet);
+    check(world, from({3, 2, 12}, {3, 2.5, 0}), turned ? "back first, above" : "above");
+    check(world, from({5, 2, -9}, {4, 2.5, 0}), turned ? "back first, below" : "below");
   }
 }
 
