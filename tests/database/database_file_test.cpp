@@ -3,17 +3,15 @@
 #include "models/database/database_file.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "models/environment/input_error.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace cigsim {
 namespace {
@@ -22,24 +20,14 @@ using Json = nlohmann::json;
 
 class DatabaseFile : public testing::Test {
  protected:
-  DatabaseFile() {
-    std::string name = (std::filesystem::temp_directory_path() / "cigsim-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~DatabaseFile() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path put(const std::string& name, const std::string& bytes) const {
-    const std::filesystem::path file = folder_ / name;
-    std::ofstream(file, std::ios::binary) << bytes;
-    return file;
+    return scratch_.write(name, bytes);
   }
-  std::filesystem::path folder_;
+  const test::Scratch scratch_;
+  const std::filesystem::path& folder_ = scratch_.folder();
 };
 
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using test::bytes_of;
 
 // A triangle as an item of its own.
 void add_triangle(FaceSet& set, std::uint32_t object, const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "models/environment/deck.hpp"
-#include "tests/environment/scratch.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace cigsim {
 namespace {

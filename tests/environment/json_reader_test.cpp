@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "models/environment/read.hpp"
-#include "tests/environment/scratch.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace cigsim {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "models/environment/read.hpp"
-#include "tests/environment/scratch.hpp"
+#include "tests/support/scratch.hpp"
 
 // Assimp leaks where it gives up on a damaged file; read by the leak sanitizer alone.
 extern "C" const char* __lsan_default_suppressions();

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "models/environment/read.hpp"
-#include "tests/environment/scratch.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace cigsim {
 namespace {

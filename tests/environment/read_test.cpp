@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "tests/environment/scratch.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace cigsim {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "models/environment/generate.hpp"
 #include "models/environment/read.hpp"
-#include "tests/environment/scratch.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace cigsim {
 namespace {

@@ -9,18 +9,15 @@
 
 #include "models/environment/input_error.hpp"
 #include "tests/sim/png_reader.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace cigsim {
 namespace {
 
 class PictureFile : public testing::Test {
  protected:
-  PictureFile() {
-    std::string name = (std::filesystem::temp_directory_path() / "cigsim-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~PictureFile() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_;
+  const test::Scratch scratch_;
+  const std::filesystem::path& folder_ = scratch_.folder();
 };
 
 Picture pattern(int width, int height) {

@@ -7,23 +7,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 
 namespace cigsim {
 namespace {
-
-std::filesystem::path new_folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "cigsim-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  return name;
-}
-
-std::string whole(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 void limit(int what, const std::optional<std::uint64_t>& bytes) {
   if (!bytes) return;
@@ -38,13 +24,6 @@ void redirect(int descriptor, const char* file) {
 }
 
 }  // namespace
-
-CommandTest::CommandTest() : folder_(new_folder()), logs_(new_folder()) {}
-
-CommandTest::~CommandTest() {
-  std::filesystem::remove_all(folder_);
-  std::filesystem::remove_all(logs_);
-}
 
 pid_t CommandTest::start(const std::vector<std::string>& arguments, const Limits& limits) {
   std::vector<char*> words{const_cast<char*>(CIGSIM_COMMAND)};
@@ -64,8 +43,8 @@ pid_t CommandTest::start(const std::vector<std::string>& arguments, const Limits
 Outcome CommandTest::finish(pid_t child) {
   int status = 0;
   waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), whole(logs_ / "out"),
-          whole(logs_ / "err")};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          test::bytes_of(logs_ / "out"), test::bytes_of(logs_ / "err")};
 }
 
 Outcome CommandTest::cigsim(const std::vector<std::string>& arguments, const Limits& limits) {
@@ -86,11 +65,12 @@ void CommandTest::expect_unusable(const std::vector<std::string>& arguments,
 }
 
 std::filesystem::path CommandTest::put(const std::string& name, const std::string& contents) const {
-  std::ofstream(folder_ / name, std::ios::binary) << contents;
-  return folder_ / name;
+  return scratch_.write(name, contents);
 }
 
-std::string CommandTest::contents(const std::string& name) const { return whole(folder_ / name); }
+std::string CommandTest::contents(const std::string& name) const {
+  return test::bytes_of(folder_ / name);
+}
 
 std::vector<std::string> CommandTest::files() const {
   std::vector<std::string> names;

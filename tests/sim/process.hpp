@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scratch.hpp"
+
 namespace cigsim {
 
 struct Outcome {
@@ -24,9 +26,6 @@ struct Limits {
 
 class CommandTest : public testing::Test {
  protected:
-  CommandTest();
-  ~CommandTest() override;
-
   /// Runs `cigsim arguments…` in the folder and waits for it.
   Outcome cigsim(const std::vector<std::string>& arguments, const Limits& limits = {});
 
@@ -43,7 +42,9 @@ class CommandTest : public testing::Test {
   /// Names of everything below the folder, sorted.
   std::vector<std::string> files() const;
 
-  std::filesystem::path folder_, logs_;
+  const test::Scratch scratch_, logs_scratch_;
+  const std::filesystem::path& folder_ = scratch_.folder();
+  const std::filesystem::path& logs_ = logs_scratch_.folder();
 };
 
 }  // namespace cigsim
