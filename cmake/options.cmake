@@ -19,3 +19,6 @@ if(CIGSIM_COVERAGE)
   add_link_options(--coverage)
 endif()
 include_directories(${PROJECT_SOURCE_DIR})
+
+# Debian's SystemC is built as C++17; its headers check that every user says so.
+add_compile_definitions(SC_CPLUSPLUS=201703L)

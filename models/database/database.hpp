@@ -75,6 +75,14 @@ struct SeparationNode {
   std::uint32_t plane = 0;  ///< into PriorityHierarchy::planes
   std::int32_t true_child = 0, false_child = 0;
   std::uint64_t true_members = 0, false_members = 0;
+  /// Pairs that the plane resolves, where a hand-made table lists them (then the children mean
+  /// nothing); none listed: every TRUE member with every FALSE member.
+  std::uint32_t first_pair = 0, pair_count = 0;
+};
+
+/// A TRUE/FALSE pair of members of a group (Stump 1986, ch. III).
+struct MemberPair {
+  std::uint8_t true_member = 0, false_member = 0;
 };
 
 struct Member {
@@ -93,6 +101,7 @@ struct Group {
 struct PriorityHierarchy {
   std::vector<Plane> planes;
   std::vector<SeparationNode> nodes;
+  std::vector<MemberPair> pairs;  ///< of hand-made tables
   std::vector<Member> members;
   std::vector<Group> groups;  ///< groups[0] is the root when there is an item
 };
