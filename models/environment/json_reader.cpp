@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The project's own scene format (docs/scene-format.md): JSON, or the same document as CBOR.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <optional>
 
-#include "models/environment/document.hpp"
-#include "models/environment/input_error.hpp"
+#include "models/environment/document_value.hpp"
 #include "models/environment/read.hpp"
 #include "models/environment/text_file.hpp"
 
@@ -17,148 +14,8 @@ namespace cigsim {
 namespace {
 
 using Kind = Document::Kind;
-
-std::string_view kind_name(Kind kind) {
-  switch (kind) {
-    case Kind::object:
-      return "an object {}";
-    case Kind::array:
-      return "an array []";
-    case Kind::string:
-      return "a text";
-    case Kind::whole:
-    case Kind::negative:
-    case Kind::real:
-      return "a number";
-    case Kind::boolean:
-      return "a truth value";
-    default:
-      return "null";
-  }
-}
-
-/// A value of the document. `what` names it in messages.
-class Value {
- public:
-  Value(const Document& document, std::size_t at) : document_(&document), at_(at) {}
-
-  Kind kind() const { return entry().kind; }
-  std::uint32_t line() const { return entry().line; }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(document_->name(), static_cast<int>(line()), what);
-  }
-
-  void require(Kind kind, std::string_view what) const {
-    if (this->kind() != kind)
-      fail(std::string(what) + " must be " + std::string(kind_name(kind)) + ", not " +
-           std::string(kind_name(this->kind())));
-  }
-
-  const std::string& text(std::string_view what) const {
-    require(Kind::string, what);
-    return document_->text(at_);
-  }
-
-  double number(std::string_view what) const {
-    double value = 0;
-    switch (kind()) {
-      case Kind::whole:
-        value = static_cast<double>(entry().whole);
-        break;
-      case Kind::negative:
-        value = static_cast<double>(entry().negative);
-        break;
-      case Kind::real:
-        value = entry().real;
-        break;
-      default:
-        fail(std::string(what) + " must be a number, not " + std::string(kind_name(kind())));
-    }
-    if (!std::isfinite(value)) fail(std::string(what) + " must be a finite number");
-    return value;
-  }
-
-  /// A whole number from 0 to below `end`.
-  std::uint64_t whole(std::string_view what, std::uint64_t end) const {
-    if (kind() != Kind::whole || entry().whole >= end)
-      fail(std::string(what) + " must be a whole number from 0 to " + std::to_string(end - 1));
-    return entry().whole;
-  }
-
-  template <class F>
-  void for_each_element(std::string_view what, F&& f) const {
-    require(Kind::array, what);
-    for (std::size_t i = at_ + 1; i < entry().whole; i = document_->after(i))
-      f(Value(*document_, i));
-  }
-
-  std::size_t count() const {
-    std::size_t n = 0;
-    for (std::size_t i = at_ + 1; i < entry().whole; i = document_->after(i)) ++n;
-    return n;
-  }
-
-  /// Calls f(key, key's place, value) for each member in the order of the text.
-  template <class F>
-  void for_each_member(std::string_view what, F&& f) const {
-    require(Kind::object, what);
-    for (std::size_t i = at_ + 1; i < entry().whole; i = document_->after(i + 1))
-      f(document_->text(i), Value(*document_, i), Value(*document_, i + 1));
-  }
-
- private:
-  const Document::Entry& entry() const { return document_->entry(at_); }
-
-  const Document* document_;
-  std::size_t at_;
-};
-
-/// The members of one kind of object: none unknown, none twice.
-class Members {
- public:
-  Members(const Value& value, std::string_view what, std::initializer_list<std::string_view> known)
-      : value_(value), what_(what) {
-    value.for_each_member(what, [&](const std::string& key, const Value& place, const Value& v) {
-      const auto at = std::find(known.begin(), known.end(), key);
-      if (at == known.end())
-        place.fail("unknown key \"" + key + "\" in " + std::string(what) + "; it takes " +
-                   list(known));
-      if (find(key)) place.fail("key \"" + key + "\" stands twice in " + std::string(what));
-      members_[used_++] = {*at, v};
-    });
-  }
-
-  std::optional<Value> find(std::string_view key) const {
-    for (std::size_t i = 0; i < used_; ++i)
-      if (members_[i]->first == key) return members_[i]->second;
-    return std::nullopt;
-  }
-
-  Value get(std::string_view key) const {
-    const std::optional<Value> value = find(key);
-    if (!value) value_.fail("key \"" + std::string(key) + "\" is missing in " + std::string(what_));
-    return *value;
-  }
-
-  /// The members' places in the text, in their order.
-  template <class F>
-  void for_each(F&& f) const {
-    for (std::size_t i = 0; i < used_; ++i) f(members_[i]->first, members_[i]->second);
-  }
-
- private:
-  static std::string list(std::initializer_list<std::string_view> known) {
-    std::string text;
-    for (const std::string_view key : known) text += (text.empty() ? "" : ", ") + std::string(key);
-    return text;
-  }
-
-  Value value_;
-  std::string_view what_;
-  std::array<std::optional<std::pair<std::string_view, Value>>, 12> members_;
-  std::size_t used_ = 0;
-};
+using Value = DocumentValue;
+using Members = DocumentMembers;
 
 Vec3 read_vec3(const Value& value, std::string_view what) {
   double c[3] = {};

@@ -74,12 +74,25 @@ struct MachineDescription {
 const std::vector<std::string>& machine_presets();
 /// A preset's description. Throws std::invalid_argument for another name, naming those there are.
 MachineDescription machine_preset(std::string_view name);
+/// A figure as tables list it.
+struct MachineFigure {
+  std::string name, unit;
+  double value = 0;
+  Provenance provenance;
+};
+/// Every figure in the order of the file.
+std::vector<MachineFigure> machine_figures(const MachineDescription& machine);
+/// Why the figures cannot all hold (lines and frame, elements and line) and what to do, or "".
+std::string machine_contradiction(const MachineDescription& machine);
+/// What is allowed but worth knowing, a sentence each: full lines that take longer than a line.
+std::vector<std::string> machine_notices(const MachineDescription& machine);
 /// A preset by its name or else a file. Throws InputError (file, line, what, what to do).
 MachineDescription load_machine(const std::string& preset_or_file);
 /// The description as its JSON file, with every figure's source and standing.
 std::string machine_json(const MachineDescription& machine);
-/// The same machine with another raster, lines timed anew: as many cycles a line as the frame
-/// leaves room for. Throws std::invalid_argument with a clear sentence when the frame is too short.
+/// The same machine with another raster. The frame stays as long as it is; so do the lines where
+/// they all fit into it, else each has as many cycles as the frame leaves room for. Throws
+/// std::invalid_argument with a clear sentence when a line is then too short for its elements.
 MachineDescription with_raster(const MachineDescription& machine, const Raster& raster);
 std::string_view name_of(Standing standing);
 std::string_view name_of(OverloadPolicy policy);

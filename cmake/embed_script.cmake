@@ -1,6 +1,5 @@
-# Turns FILES into the C++ file OUTPUT, which defines the functions of sim/embedded.hpp. A file
-# NAME-OF-IT.ending is read through `std::string_view embedded_name_of_it()`.
-set(CODE "#include \"sim/embedded.hpp\"\n\nnamespace cigsim {\n")
+# Run by embed_files (embed.cmake): turns FILES into the C++ file OUTPUT, which includes HEADER.
+set(CODE "#include \"${HEADER}\"\n\nnamespace cigsim {\n")
 foreach(FILE IN LISTS FILES)
   get_filename_component(NAME ${FILE} NAME_WE)
   string(MAKE_C_IDENTIFIER ${NAME} NAME)
