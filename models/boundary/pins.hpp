@@ -6,22 +6,32 @@
 // the pins of cycle n and sets those of cycle n + 1.
 #pragma once
 
+#include <string>
 #include <systemc>
 
 namespace cigsim {
 
+/// A module with several bundles names them, so that its pins are in waves as `NAME_valid`, ….
 template <class T>
 struct PinIn {
-  sc_core::sc_in<bool> valid{"valid"};
-  sc_core::sc_in<T> word{"word"};
-  sc_core::sc_out<bool> ready{"ready"};
+  explicit PinIn(const std::string& name = "in")
+      : valid((name + "_valid").c_str()),
+        word((name + "_word").c_str()),
+        ready((name + "_ready").c_str()) {}
+  sc_core::sc_in<bool> valid;
+  sc_core::sc_in<T> word;
+  sc_core::sc_out<bool> ready;
 };
 
 template <class T>
 struct PinOut {
-  sc_core::sc_out<bool> valid{"valid"};
-  sc_core::sc_out<T> word{"word"};
-  sc_core::sc_in<bool> ready{"ready"};
+  explicit PinOut(const std::string& name = "out")
+      : valid((name + "_valid").c_str()),
+        word((name + "_word").c_str()),
+        ready((name + "_ready").c_str()) {}
+  sc_core::sc_out<bool> valid;
+  sc_core::sc_out<T> word;
+  sc_core::sc_in<bool> ready;
 };
 
 /// The wires between a PinOut and a PinIn.
@@ -29,6 +39,16 @@ template <class T>
 struct Wires {
   sc_core::sc_signal<bool> valid, ready;
   sc_core::sc_signal<T> word;
+
+  Wires() = default;
+  Wires(PinOut<T>& from, PinIn<T>& to) {
+    from.valid(valid);
+    from.word(word);
+    from.ready(ready);
+    to.valid(valid);
+    to.word(word);
+    to.ready(ready);
+  }
 };
 
 }  // namespace cigsim
