@@ -3,43 +3,13 @@
 // of active faces, a right edge takes it out; the active face of highest priority is shown.
 #pragma once
 
-#include <bit>
+#include <span>
 
 #include "models/edge_orderer/functional.hpp"
+#include "models/priority_resolver/active_list.hpp"
 #include "models/priority_resolver/spans.hpp"
 
 namespace cigsim::priority_resolver {
-
-/// The active list: a bit a face, highest priority first, with a summary word for each 64.
-class ActiveFaces {
- public:
-  void reset(std::size_t faces) {
-    words_.assign((faces + 63) / 64, 0);
-    summary_.assign((words_.size() + 63) / 64, 0);
-  }
-  void enter(std::uint32_t face) {
-    words_[face / 64] |= bit(face);
-    summary_[face / 4096] |= bit(face / 64);
-  }
-  void leave(std::uint32_t face) {
-    words_[face / 64] &= ~bit(face);
-    if (words_[face / 64] == 0) summary_[face / 4096] &= ~bit(face / 64);
-  }
-  /// The active face of highest priority, or kNone.
-  std::uint32_t first() const {
-    for (std::size_t s = 0; s < summary_.size(); ++s) {
-      if (summary_[s] == 0) continue;
-      const std::size_t w = s * 64 + static_cast<std::size_t>(std::countr_zero(summary_[s]));
-      return static_cast<std::uint32_t>(w * 64 +
-                                        static_cast<std::size_t>(std::countr_zero(words_[w])));
-    }
-    return kNone;
-  }
-
- private:
-  static std::uint64_t bit(std::uint32_t n) { return std::uint64_t{1} << (n % 64); }
-  std::vector<std::uint64_t> words_, summary_;
-};
 
 class Functional {
  public:
@@ -49,55 +19,47 @@ class Functional {
                         const Raster& raster, SpanLines& out) {
     out.reset(raster.height);
     std::uint64_t shown = 0;
-    active_.reset(faces);
-    inside_.assign(faces, 0);
-    for (int r = 0; r < raster.height; ++r) shown += line(ordered, r, raster.width, out);
+    active_.grow(faces);
+    for (int r = 0; r < raster.height; ++r) {
+      const std::uint32_t first = ordered.first[r], count = ordered.first[r + 1] - first;
+      const std::uint16_t width = static_cast<std::uint16_t>(raster.width);
+      line({ordered.crossings.data() + first, count}, width, width, [&](const Span& span) {
+        out.add(r, span);
+        shown += span.face != kNone;
+      });
+    }
     return shown;
+  }
+
+  /// The spans of one line from left to right, each handed to show(Span); they cover the elements
+  /// 0..width once and none is empty. `crossings` are in the order of OrderedCrossings; from
+  /// element `limit` on, 0..width, the line was cut and shows the background (`width`: not cut).
+  template <class Show>
+  void line(std::span<const Crossing> crossings, std::uint16_t width, std::uint16_t limit,
+            Show show) {
+    std::uint16_t start = 0;
+    std::uint32_t top = kNone;
+    const auto change = [&](std::uint16_t element, std::uint32_t face) {
+      if (face == top) return;
+      if (start < element) show(Span{top, start, element});
+      start = element;
+      top = face;
+    };
+    for (std::size_t c = 0; c < crossings.size() && crossings[c].element < limit;) {
+      const std::uint16_t element = crossings[c].element;
+      for (; c < crossings.size() && crossings[c].element == element; ++c) {
+        active_.grow(crossings[c].face + std::size_t{1});
+        active_.pass(crossings[c].face, crossings[c].left);
+      }
+      change(element, active_.first());
+    }
+    if (limit < width) change(limit, kNone);
+    show(Span{top, start, width});
+    active_.clear();
   }
 
  private:
-  std::uint64_t line(const edge_orderer::OrderedCrossings& ordered, int r, int width,
-                     SpanLines& out) {
-    std::uint64_t shown = 0;
-    std::uint16_t start = 0;
-    std::uint32_t top = kNone;
-    const auto show = [&](std::uint16_t end) {
-      if (end <= start) return;
-      out.add(r, {top, start, end});
-      shown += top != kNone;
-      start = end;
-    };
-    const std::uint32_t end = ordered.first[r + 1];
-    for (std::uint32_t c = ordered.first[r]; c < end;) {
-      const std::uint16_t element = ordered.crossings[c].element;
-      for (; c < end && ordered.crossings[c].element == element; ++c) pass(ordered.crossings[c]);
-      const std::uint32_t now = active_.first();
-      if (now == top) continue;
-      show(element);
-      top = now;
-    }
-    show(static_cast<std::uint16_t>(width));
-    // A face without area on this line may have met its right edge first.
-    for (std::uint32_t c = ordered.first[r]; c < end; ++c) {
-      active_.leave(ordered.crossings[c].face);
-      inside_[ordered.crossings[c].face] = 0;
-    }
-    return shown;
-  }
-
-  // Right edges come first at an element, so a face whose two edges cross there passes through
-  // minus one and is never shown.
-  void pass(const Crossing& crossing) {
-    std::int8_t& inside = inside_[crossing.face];
-    inside = static_cast<std::int8_t>(inside + (crossing.left ? 1 : -1));
-    if (inside > 0)
-      active_.enter(crossing.face);
-    else
-      active_.leave(crossing.face);
-  }
-
-  ActiveFaces active_;
-  std::vector<std::int8_t> inside_;
+  ActiveList active_;
 };
 
 }  // namespace cigsim::priority_resolver
