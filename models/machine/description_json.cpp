@@ -2,6 +2,7 @@
 #include "models/machine/description_json.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -139,6 +140,9 @@ MachineDescription parse_machine(std::string_view text, const std::string& file)
 MachineDescription load_machine(const std::string& preset_or_file) {
   for (const std::string& preset : machine_presets())
     if (preset == preset_or_file) return machine_preset(preset);
+  if (!std::filesystem::exists(preset_or_file))
+    throw InputError(preset_or_file, 0,
+                     "is neither a preset nor a file; cigsim machines lists the presets");
   return parse_machine(read_whole_file(preset_or_file), preset_or_file);
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 
 #include "models/environment/input_error.hpp"
@@ -85,6 +87,24 @@ TEST(MachineDescription, an_unknown_preset_is_refused_with_the_known_names) {
 TEST(MachineDescription, written_presets_are_their_files_byte_for_byte) {
   for (const std::string& name : machine_presets())
     EXPECT_EQ(machine_json(machine_preset(name)), preset_file(name)) << name;
+}
+
+TEST(MachineDescription, the_manual_lists_every_figure_of_every_preset) {
+  const std::string document = read_whole_file(CIGSIM_SOURCE_DIR "/docs/machine/description.md");
+  for (const std::string& name : machine_presets()) {
+    const MachineDescription machine = machine_preset(name);
+    std::ostringstream chapter;
+    chapter << "### " << name << "\n\n"
+            << machine.title << ".\n\n| figure | value | unit | standing | source |\n"
+            << "| --- | ---: | --- | --- | --- |\n";
+    for (const MachineFigure& figure : machine_figures(machine))
+      chapter << "| `" << figure.name << "` | " << std::setprecision(15) << figure.value << " | "
+              << figure.unit << " | " << name_of(figure.provenance.standing) << " | "
+              << figure.provenance.source << " |\n";
+    EXPECT_NE(document.find(chapter.str()), std::string::npos)
+        << "docs/machine/description.md should have:\n"
+        << chapter.str();
+  }
 }
 
 TEST(MachineDescription, every_figure_reads_back_from_its_own_key) {

@@ -15,7 +15,8 @@ TEST_F(CommandTest, HelpAndVersionSucceed) {
                              {"run", "--help"},
                              {"prepare", "--help"},
                              {"requirements", "--help"},
-                             {"generate", "--help"}}) {
+                             {"generate", "--help"},
+                             {"machines", "--help"}}) {
     const Outcome outcome = cigsim(words);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
@@ -28,7 +29,7 @@ TEST_F(CommandTest, HelpAndVersionSucceed) {
 }
 
 TEST_F(CommandTest, HelpLinesFitAScreen) {
-  for (const char* command : {"run", "prepare", "requirements", "generate"}) {
+  for (const char* command : {"run", "prepare", "requirements", "generate", "machines"}) {
     std::istringstream help(cigsim({command, "--help"}).out);
     for (std::string line; std::getline(help, line);) EXPECT_LE(line.size(), 100u) << line;
   }
