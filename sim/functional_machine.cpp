@@ -52,6 +52,8 @@ AnyStages make_stages(const MachineOptions& options) {
       return Stages<float>(options.priority);
     case NumberType::kExact:
       return Stages<Exact>(options.priority);
+    case NumberType::kMachine:
+      throw std::invalid_argument("--number: machine words are not assembled yet");
     case NumberType::kDouble:
       break;
   }
@@ -144,10 +146,11 @@ class FunctionalMachine::Impl {
       --line_changes_[static_cast<std::size_t>(edge.end_line)];
     }
     std::int64_t crossings = 0;
-    for (const std::int64_t change : line_changes_) {
-      crossings += change;
-      stats_.worst_line_crossings =
-          std::max(stats_.worst_line_crossings, static_cast<std::uint64_t>(crossings));
+    for (std::size_t line = 0; line < line_changes_.size(); ++line) {
+      crossings += line_changes_[line];
+      if (static_cast<std::uint64_t>(crossings) <= stats_.worst_line_crossings) continue;
+      stats_.worst_line_crossings = static_cast<std::uint64_t>(crossings);
+      stats_.worst_line = static_cast<std::uint32_t>(line);
     }
   }
 

@@ -8,11 +8,13 @@
 
 #include "models/boundary/transactions.hpp"
 #include "models/database/database.hpp"
+#include "models/machine/description.hpp"
 #include "models/priority_processor/group_order.hpp"
+#include "sim/frame_stats.hpp"
 
 namespace cigsim {
 
-enum class NumberType { kFloat, kDouble, kExact };
+enum class NumberType { kFloat, kDouble, kMachine, kExact };
 using PriorityMethod = priority_processor::Method;
 enum class ResolverMethod {
   kAuto,       ///< painter or coverage, by how much the frame's faces overlap
@@ -26,22 +28,8 @@ struct MachineOptions {
   PriorityMethod priority = PriorityMethod::kCounters;
   ResolverMethod resolver = ResolverMethod::kAuto;
   Raster raster;
-};
-
-/// Host milliseconds a stage took.
-struct StageTimes {
-  double frame_calculator = 0, geometry_processor = 0, priority_processor = 0, edge_orderer = 0,
-         priority_resolver = 0, video_processor = 0;
-};
-
-struct FrameStats {
-  double host_ms = 0;  ///< all stages, without file output
-  StageTimes stages;
-  std::uint64_t active_items = 0, faces = 0, edges = 0, crossings = 0, spans = 0;
-  std::uint64_t worst_line_crossings = 0;  ///< most crossings on one line
-  std::uint32_t faults = 0;                ///< listability faults
-  std::uint64_t exact_tests = 0;           ///< side tests redone in rational arithmetic
-  bool certified = false;                  ///< every decision was exact
+  MachineDescription description;  ///< for NumberType::kMachine; its raster is `raster`
+  OverloadPolicy overload = OverloadPolicy::kDrop;
 };
 
 /// Keeps its working memory from frame to frame. One thread.

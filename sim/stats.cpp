@@ -17,9 +17,9 @@ using Json = nlohmann::ordered_json;
 constexpr double StageTimes::*kStages[] = {
     &StageTimes::frame_calculator, &StageTimes::geometry_processor, &StageTimes::priority_processor,
     &StageTimes::edge_orderer,     &StageTimes::priority_resolver,  &StageTimes::video_processor};
-constexpr const char* kStageNames[] = {"frame_calculator",   "geometry_processor",
-                                       "priority_processor", "edge_orderer",
-                                       "priority_resolver",  "video_processor"};
+constexpr Stage kStageOf[] = {Stage::kFrameCalculator,   Stage::kGeometryProcessor,
+                              Stage::kPriorityProcessor, Stage::kEdgeOrderer,
+                              Stage::kPriorityResolver,  Stage::kVideoProcessor};
 
 Json versions_json() {
   return {{"cigsim", version()},
@@ -36,6 +36,7 @@ Json options_json(const RunRecord& run) {
   Json out{{"number", name_of(run.machine.number)},
            {"priority", name_of(run.machine.priority)},
            {"resolver", name_of(run.machine.resolver)},
+           {"overload", name_of(run.machine.overload)},
            {"raster", {run.machine.raster.width, run.machine.raster.height}},
            {"frames", run.frames_wanted},
            {"repeat", run.repeat}};
@@ -51,11 +52,59 @@ Json view_json(const Viewpoint& viewpoint) {
           {"fov", viewpoint.fov}};
 }
 
+Json cycles_json(const std::optional<FrameTiming>& timing) {
+  if (!timing) return {{"total", 0}};
+  Json out{{"total", timing->transport_delay()}};
+  for (const Stage stage : kAllStages) {
+    const Activity& activity = timing->activity[static_cast<std::size_t>(stage)];
+    out[std::string(name_of(stage))] = activity.finish - activity.start + 1;
+  }
+  return out;
+}
+
+Json timing_json(const std::optional<FrameTiming>& timing) {
+  if (!timing) return nullptr;
+  Json stages = Json::object();
+  for (const Stage stage : kAllStages) {
+    const Activity& a = timing->activity[static_cast<std::size_t>(stage)];
+    stages[std::string(name_of(stage))] = {{"start", a.start},
+                                           {"finish", a.finish},
+                                           {"busy", a.busy()},
+                                           {"idle", a.idle},
+                                           {"stalled", a.stalled}};
+  }
+  return {{"input", timing->input},
+          {"first_element", timing->first_element},
+          {"last_element", timing->last_element},
+          {"transport_delay", timing->transport_delay()},
+          {"frame_periods", timing->period},
+          {"stages", std::move(stages)}};
+}
+
+Json overload_json(const std::optional<Overload>& overload) {
+  if (!overload) return nullptr;
+  Json overflows = Json::object();
+  for (const Stage stage : kAllStages)
+    overflows[std::string(name_of(stage))] = overload->overflows[static_cast<std::size_t>(stage)];
+  return {{"overflows", std::move(overflows)},
+          {"dropped_items", overload->dropped_items},
+          {"dropped_faces", overload->dropped_faces},
+          {"dropped_crossings", overload->dropped_crossings},
+          {"overfull_lines", overload->overfull_lines},
+          {"late_lines", overload->late_lines},
+          {"worst_lateness", overload->worst_lateness}};
+}
+
+Json machine_to_json(const RunRecord& run) {
+  if (run.machine.number != NumberType::kMachine) return nullptr;
+  return Json::parse(machine_json(run.machine.description));
+}
+
 Json frame_json(const FrameRecord& frame, std::size_t number) {
   const FrameStats& stats = frame.stats;
   Json stages = Json::object();
   for (std::size_t i = 0; i < std::size(kStages); ++i)
-    stages[kStageNames[i]] = stats.stages.*kStages[i];
+    stages[std::string(name_of(kStageOf[i]))] = stats.stages.*kStages[i];
   return {{"frame", number},
           {"position", frame.view.position},
           {"view", view_json(frame.view.viewpoint)},
@@ -63,13 +112,16 @@ Json frame_json(const FrameRecord& frame, std::size_t number) {
           {"ids", frame.ids},
           {"host_ms", stats.host_ms},
           {"stages", std::move(stages)},
-          {"cycles", {{"total", 0}}},
+          {"cycles", cycles_json(stats.timing)},
+          {"timing", timing_json(stats.timing)},
           {"active_items", stats.active_items},
           {"faces", stats.faces},
           {"edges", stats.edges},
           {"crossings", stats.crossings},
           {"worst_line_crossings", stats.worst_line_crossings},
+          {"worst_line", stats.worst_line},
           {"spans", stats.spans},
+          {"overload", overload_json(stats.overload)},
           {"faults", stats.faults},
           {"exact_tests", stats.exact_tests},
           {"certified", stats.certified}};
@@ -109,6 +161,8 @@ const char* name_of(NumberType number) {
       return "float";
     case NumberType::kDouble:
       return "double";
+    case NumberType::kMachine:
+      return "machine";
     case NumberType::kExact:
       break;
   }
@@ -141,11 +195,11 @@ Json stats_json(const RunRecord& run) {
   Json frames = Json::array();
   for (std::size_t i = 0; i < run.frames.size(); ++i)
     frames.push_back(frame_json(run.frames[i], i));
-  return {{"level", "functional"},
+  return {{"level", run.levels.text()},
           {"scene", run.scene},
           {"options", options_json(run)},
           {"seed", nullptr},
-          {"machine", nullptr},
+          {"machine", machine_to_json(run)},
           {"versions", versions_json()},
           {"interrupted", run.interrupted},
           {"ids_saturate", numbers_saturate(*run.database)},

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/functional_machine.hpp"
+#include "sim/level.hpp"
 #include "sim/view.hpp"
 
 namespace cigsim {
@@ -31,6 +32,7 @@ struct RunRecord {
   std::string scene;
   const Database* database = nullptr;
   MachineOptions machine;
+  LevelChoice levels;
   std::size_t repeat = 1, frames_wanted = 0;
   std::optional<std::string> path;
   std::optional<Sun> sun;

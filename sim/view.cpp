@@ -90,7 +90,7 @@ void add_view_options(CLI::App& command, ViewOptions& o) {
       "moving models move. Default: the rows of the path, or 1");
   add(
       "--raster", "WxH", [&](const Text& t) { o.raster = parse_raster("--raster", t); },
-      "Elements a line and lines, each 1 to 16384. Default: 1024x1024");
+      "Elements a line and lines, each 1 to 16384. Default: 1024x1024, or the machine's own");
   look->excludes(attitude);
   path->excludes(eye)->excludes(look)->excludes(attitude);
 }

@@ -23,7 +23,7 @@ struct ViewOptions {
   std::optional<double> fov;
   std::optional<std::string> path;  ///< a file, or "builtin"
   std::optional<std::size_t> frames;
-  Raster raster;
+  std::optional<Raster> raster;
 };
 
 void add_view_options(CLI::App& command, ViewOptions& options);

@@ -12,6 +12,7 @@ void add_run(CLI::App& program, int& exit_code);
 void add_prepare(CLI::App& program, int& exit_code);
 void add_requirements(CLI::App& program, int& exit_code);
 void add_generate(CLI::App& program, int& exit_code);
+void add_levels(CLI::App& program, int& exit_code);
 void add_machines(CLI::App& program, int& exit_code);
 
 }  // namespace cigsim

@@ -177,7 +177,7 @@ int requirements(const Options& options) {
   const std::vector<PathRow> path = load_path(options.view);
   const LoadedScene scene = load_scene(options.scene, options.preparation);
   const std::vector<FrameView> views = frame_views(options.view, path, scene.database);
-  const Raster& raster = options.view.raster;
+  const Raster raster = options.view.raster.value_or(Raster());
   const DatabaseFigures figures = figures_of(scene.database);
   const FrameStats worst = worst_frame(scene.database, views, raster);
   const auto print = options.json ? print_json : print_table;

@@ -9,9 +9,8 @@
 #include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
-#include "sim/interrupt.hpp"
-#include "sim/picture_file.hpp"
-#include "sim/progress.hpp"
+#include "sim/frame_run.hpp"
+#include "sim/machine_options.hpp"
 #include "sim/scene.hpp"
 #include "sim/stats.hpp"
 #include "sim/view.hpp"
@@ -20,13 +19,12 @@ namespace cigsim {
 namespace {
 
 constexpr std::uint64_t kMostRepeats = 1000000;
-constexpr std::size_t kFewFrames = 3;
 constexpr int kSignalled = 128;  // exit code of a program that a signal ended, less the signal
 
 struct Options {
   std::optional<std::string> scene;
   ViewOptions view;
-  MachineOptions machine;
+  MachineChoices machine;
   PreparationChoices preparation;
   std::size_t repeat = 1;
   std::string out = "out";
@@ -39,35 +37,6 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw InputError(folder.string(), 0, "cannot make this folder: " + error.message());
   // Figures of an earlier run must not stand beside the pictures of this one.
   std::filesystem::remove(folder / "stats.json", error);
-}
-
-FrameRecord compute(FunctionalMachine& machine, const FrameView& view, std::size_t repeat,
-                    const std::filesystem::path& folder, std::size_t number) {
-  std::vector<FrameStats> repeats;
-  const Picture* picture = nullptr;
-  for (std::size_t i = 0; i < repeat; ++i) {
-    picture = &machine.compute(view.viewpoint, view.position);
-    repeats.push_back(machine.stats());
-  }
-  FrameRecord record{view, median_times(repeats), fmt::format("frame-{:04}.png", number),
-                     fmt::format("ids-{:04}.pgm", number)};
-  write_png(*picture, folder / record.picture);
-  write_pgm(*picture, folder / record.ids);
-  return record;
-}
-
-// Returns the signal that ended the run early, or 0.
-int compute_frames(const std::vector<FrameView>& views, const Options& options, RunRecord& run) {
-  FunctionalMachine machine(*run.database, run.machine);
-  Progress progress("rendering");
-  const Interrupt interrupt;
-  for (std::size_t i = 0; i < views.size() && interrupt.signal() == 0; ++i) {
-    run.frames.push_back(compute(machine, views[i], run.repeat, options.out, i));
-    if (views.size() > kFewFrames)
-      progress.show(static_cast<double>(i + 1) / static_cast<double>(views.size()));
-  }
-  run.interrupted = run.frames.size() < views.size();
-  return run.interrupted ? interrupt.signal() : 0;
 }
 
 void print_summary(const RunRecord& run, const std::filesystem::path& folder) {
@@ -110,14 +79,14 @@ int run_command(const Options& options) {
   RunRecord run;
   run.scene = scene.name;
   run.database = &scene.database;
-  run.machine = options.machine;
-  run.machine.raster = options.view.raster;
+  run.machine = machine_options(options.machine, options.view.raster);
+  run.levels = options.machine.levels;
   run.repeat = options.repeat;
   run.frames_wanted = views.size();
   run.path = options.view.path;
   run.sun = options.preparation.sun;
   make_folder(options.out);
-  const int signal = compute_frames(views, options, run);
+  const int signal = run_frames(views, options.out, run);
   const std::string stats = dump(stats_json(run)) + "\n";
   write_file(std::filesystem::path(options.out) / "stats.json", stats);
   if (options.json)
@@ -125,42 +94,6 @@ int run_command(const Options& options) {
   else
     print_summary(run, options.out);
   return signal == 0 ? 0 : kSignalled + signal;
-}
-
-void add_machine_options(CLI::App& command, Options& o) {
-  using Text = std::string;
-  const auto add = [&](const char* name, const char* form, auto take, const char* help) {
-    command.add_option_function<Text>(name, take, help)->type_name(form)->group("Machine");
-  };
-  add(
-      "--number", "float|double|exact",
-      [&o](const Text& t) {
-        o.machine.number = parse_choice<NumberType>("--number", t,
-                                                    {{"float", NumberType::kFloat},
-                                                     {"double", NumberType::kDouble},
-                                                     {"exact", NumberType::kExact}});
-      },
-      "Numbers to compute with: fast, the ideal picture (default), or rationals without rounding");
-  add(
-      "--priority", "counters|so",
-      [&o](const Text& t) {
-        o.machine.priority = parse_choice<PriorityMethod>(
-            "--priority", t,
-            {{"counters", PriorityMethod::kCounters}, {"so", PriorityMethod::kSoMatrix}});
-      },
-      "Priority from a counter per object (default) or from the separating-object matrix");
-  add(
-      "--resolver", "auto|painter|coverage|active-list",
-      [&o](const Text& t) {
-        o.machine.resolver =
-            parse_choice<ResolverMethod>("--resolver", t,
-                                         {{"auto", ResolverMethod::kAuto},
-                                          {"painter", ResolverMethod::kPainter},
-                                          {"coverage", ResolverMethod::kCoverage},
-                                          {"active-list", ResolverMethod::kActiveList}});
-      },
-      "Faces painted from the lowest priority up, spans from a coverage mask, or spans from the "
-      "machine's own active list; auto (default) takes the cheaper of the first two");
 }
 
 void add_output_options(CLI::App& command, Options& o) {
@@ -193,7 +126,7 @@ void add_run(CLI::App& program, int& exit_code) {
   add_scene_option(*command, options->scene);
   add_view_options(*command, options->view);
   add_preparation_options(*command, options->preparation);
-  add_machine_options(*command, *options);
+  add_machine_options(*command, options->machine);
   add_output_options(*command, *options);
   command->callback([options, &exit_code] { exit_code = run_command(*options); });
 }

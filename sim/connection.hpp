@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// A link with what its two ends need: nothing for a timed stage, a transactor and wires for a
+// clocked one.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "models/boundary/trace_words.hpp"
+#include "models/boundary/transactors.hpp"
+
+namespace cigsim {
+
+template <class T>
+class Connection {
+ public:
+  /// `from_pins`, `to_pins`: whether producer and consumer are clocked.
+  Connection(const std::string& name, std::uint32_t depth, const StallFunction& stalls,
+             bool from_pins, bool to_pins, const Clock& clock)
+      : link(name, depth, stalls), name_(name) {
+    const std::string module = name + "_link";
+    if (from_pins && to_pins) {
+      both_ = std::make_unique<ClockedLink<T>>(module.c_str(), clock, link);
+      connect(both_->in, producer_);
+      connect(both_->out, consumer_);
+    } else if (from_pins) {
+      sink_ = std::make_unique<PinsToLink<T>>(module.c_str(), clock, link);
+      connect(sink_->in, producer_);
+    } else if (to_pins) {
+      source_ = std::make_unique<LinkToPins<T>>(module.c_str(), clock, link);
+      connect(source_->out, consumer_);
+    }
+  }
+
+  Link<T> link;
+
+  /// Connects the pins of a clocked producer or consumer.
+  void from(PinOut<T>& pins) { connect(pins, producer_); }
+  void to(PinIn<T>& pins) { connect(pins, consumer_); }
+
+  /// Pins on either side, under the link's name.
+  void trace(sc_core::sc_trace_file* file) const {
+    if (both_ || sink_) trace(file, producer_, name_ + ".in");
+    if (both_ || source_) trace(file, consumer_, name_ + ".out");
+  }
+
+ private:
+  template <class Pins>
+  static void connect(Pins& pins, Wires<T>& wires) {
+    pins.valid(wires.valid);
+    pins.word(wires.word);
+    pins.ready(wires.ready);
+  }
+  static void trace(sc_core::sc_trace_file* file, const Wires<T>& wires, const std::string& name) {
+    sc_trace(file, wires.valid, name + ".valid");
+    sc_trace(file, wires.ready, name + ".ready");
+    sc_trace(file, wires.word, name + ".word");
+  }
+
+  std::string name_;
+  std::unique_ptr<ClockedLink<T>> both_;
+  std::unique_ptr<PinsToLink<T>> sink_;
+  std::unique_ptr<LinkToPins<T>> source_;
+  Wires<T> producer_, consumer_;
+};
+
+}  // namespace cigsim

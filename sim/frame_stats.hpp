@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The figures of one frame, whichever machine computed it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "models/boundary/activity.hpp"
+#include "sim/level.hpp"
+
+namespace cigsim {
+
+/// Host milliseconds a stage took.
+struct StageTimes {
+  double frame_calculator = 0, geometry_processor = 0, priority_processor = 0, edge_orderer = 0,
+         priority_resolver = 0, video_processor = 0;
+};
+
+/// What machine words and capacities did to a frame (docs/machine.md, "Overload").
+struct Overload {
+  std::array<std::uint64_t, kStageCount> overflows{};  ///< words that were saturated, a stage
+  std::uint64_t dropped_items = 0, dropped_faces = 0, dropped_crossings = 0;
+  std::uint64_t overfull_lines = 0;
+  std::uint64_t late_lines = 0;  ///< shown later than the raster wanted
+  Cycle worst_lateness = 0;      ///< of these, cycles
+};
+
+/// When things happened to a picture, in cycles of the run.
+struct FrameTiming {
+  Cycle input = 0;                               ///< its viewpoint was read
+  Cycle first_element = 0, last_element = 0;     ///< these left the machine
+  std::array<Cycle, 3> period{};                 ///< length of its frames 1, 2 and 3
+  std::array<Activity, kStageCount> activity{};  ///< a stage
+  /// From the input to the last element, both counted.
+  Cycle transport_delay() const { return last_element - input + 1; }
+};
+
+struct FrameStats {
+  double host_ms = 0;  ///< all stages, without file output
+  StageTimes stages;
+  std::uint64_t active_items = 0, faces = 0, edges = 0, crossings = 0, spans = 0;
+  std::uint64_t worst_line_crossings = 0;  ///< most crossings on one line
+  std::uint32_t worst_line = 0;            ///< the first line with so many
+  std::uint32_t faults = 0;                ///< listability faults
+  std::uint64_t exact_tests = 0;           ///< side tests redone in rational arithmetic
+  bool certified = false;                  ///< every decision was exact
+  std::optional<Overload> overload;        ///< on machine words
+  std::optional<FrameTiming> timing;       ///< at levels that know time
+};
+
+}  // namespace cigsim

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "sim/machine_options.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/arguments.hpp"
+
+namespace cigsim {
+namespace {
+
+constexpr const char* kDefaultMachine = "unlimited";
+
+// Machine words, unless only doubles and their like were asked for.
+bool on_machine_words(const MachineChoices& choices) {
+  if (choices.number) return *choices.number == NumberType::kMachine;
+  return !choices.levels.functional() || choices.machine.has_value();
+}
+
+void check(const MachineChoices& choices, bool words) {
+  if (!choices.levels.functional() && !words)
+    throw UsageError(
+        "--number: stages that know time compute on machine words; take --number "
+        "machine, or --level functional");
+  if (choices.machine && !words)
+    throw UsageError("--machine: a machine computes on machine words; take --number machine");
+  if (!words) return;
+  if (choices.priority != PriorityMethod::kCounters)
+    throw UsageError("--priority: the machine's own priority processor has counters");
+  if (choices.resolver.value_or(ResolverMethod::kActiveList) != ResolverMethod::kActiveList)
+    throw UsageError("--resolver: the machine's own resolver is the active list");
+}
+
+MachineDescription description(const MachineChoices& choices, const std::optional<Raster>& raster) {
+  MachineDescription machine = load_machine(choices.machine.value_or(kDefaultMachine));
+  if (!raster) return machine;
+  try {
+    return with_raster(machine, *raster);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--raster: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+MachineOptions machine_options(const MachineChoices& choices, const std::optional<Raster>& raster) {
+  const bool words = on_machine_words(choices);
+  check(choices, words);
+  MachineOptions options;
+  options.number = words ? NumberType::kMachine : choices.number.value_or(NumberType::kDouble);
+  options.priority = choices.priority;
+  options.resolver =
+      words ? ResolverMethod::kActiveList : choices.resolver.value_or(ResolverMethod::kAuto);
+  options.raster = raster.value_or(options.raster);
+  if (!words) return options;
+  options.description = description(choices, raster);
+  options.raster = options.description.raster;
+  options.overload = choices.overload;
+  return options;
+}
+
+void add_machine_options(CLI::App& command, MachineChoices& o) {
+  using Text = std::string;
+  const auto add = [&](const char* name, const char* form, auto take, const char* help) {
+    command.add_option_function<Text>(name, take, help)->type_name(form)->group("Machine");
+  };
+  add(
+      "--machine", "PRESET|FILE", [&o](const Text& t) { o.machine = t; },
+      "The machine: nasa1968, asupt1975, unlimited (default where one is needed), or a description "
+      "of your own; cigsim machines shows them");
+  add(
+      "--level", "LEVEL|STAGE=LEVEL,...", [&o](const Text& t) { o.levels = LevelChoice::parse(t); },
+      "functional (default), timed, or clocked; or a level for some stages, the others timed. "
+      "cigsim levels shows which there are");
+  add(
+      "--number", "float|double|machine|exact",
+      [&o](const Text& t) {
+        o.number = parse_choice<NumberType>("--number", t,
+                                            {{"float", NumberType::kFloat},
+                                             {"double", NumberType::kDouble},
+                                             {"machine", NumberType::kMachine},
+                                             {"exact", NumberType::kExact}});
+      },
+      "Numbers to compute with: fast, the ideal picture (default), the machine's own words "
+      "(default "
+      "with --machine and with --level timed or clocked), or rationals without rounding");
+  add(
+      "--overload", "drop|cut|extend",
+      [&o](const Text& t) {
+        o.overload = parse_choice<OverloadPolicy>("--overload", t,
+                                                  {{"drop", OverloadPolicy::kDrop},
+                                                   {"cut", OverloadPolicy::kCut},
+                                                   {"extend", OverloadPolicy::kExtend}});
+      },
+      "When a frame is more than the machine holds: drop what has the lowest priority (default), "
+      "cut the rest of the line, or take longer (a reconstruction)");
+  add(
+      "--priority", "counters|so",
+      [&o](const Text& t) {
+        o.priority = parse_choice<PriorityMethod>(
+            "--priority", t,
+            {{"counters", PriorityMethod::kCounters}, {"so", PriorityMethod::kSoMatrix}});
+      },
+      "Priority from a counter per object (default) or from the separating-object matrix");
+  add(
+      "--resolver", "auto|painter|coverage|active-list",
+      [&o](const Text& t) {
+        o.resolver = parse_choice<ResolverMethod>("--resolver", t,
+                                                  {{"auto", ResolverMethod::kAuto},
+                                                   {"painter", ResolverMethod::kPainter},
+                                                   {"coverage", ResolverMethod::kCoverage},
+                                                   {"active-list", ResolverMethod::kActiveList}});
+      },
+      "Faces painted from the lowest priority up, spans from a coverage mask, or spans from the "
+      "machine's own active list (the only one on machine words); auto (default) takes the cheaper "
+      "of the first two");
+}
+
+}  // namespace cigsim

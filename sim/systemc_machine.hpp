@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The pipeline in SystemC: every stage at its level, links between them, and three pictures in the
+// machine at any time. Cycle-exact; pictures come out in the order in which frames went in.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "models/boundary/link.hpp"
+#include "models/boundary/transactions.hpp"
+#include "models/database/database.hpp"
+#include "models/machine/description.hpp"
+#include "sim/frame_stats.hpp"
+#include "sim/level.hpp"
+
+namespace cigsim {
+
+/// A frame to compute.
+struct FrameJob {
+  const Database* database = nullptr;  ///< must outlive the frame
+  Viewpoint viewpoint;
+  double position = 0;  ///< the frame at which moving models stand
+};
+
+struct PipelineOptions {
+  MachineDescription description;
+  OverloadPolicy overload = OverloadPolicy::kDrop;
+  LevelChoice levels;    ///< none functional
+  StallFunction stalls;  ///< holds words back on the links (tests)
+};
+
+/// SystemC has one simulation a process: make all machines before the first simulate().
+class SystemcMachine {
+ public:
+  /// The next frame, or nothing when there is none.
+  using Next = std::function<std::optional<FrameJob>()>;
+  /// A picture has left the machine. It is valid during the call.
+  using Out = std::function<void(const Picture&, const FrameStats&)>;
+
+  /// `name` must be unique in the simulation.
+  SystemcMachine(const std::string& name, const PipelineOptions& options);
+  ~SystemcMachine();
+
+  /// Frames for the coming simulate().
+  void feed(Next next, Out out);
+
+  /// Runs all machines until none has anything to do. Passes on what a callback threw.
+  static void simulate();
+
+  // For tests and waves.
+
+  /// Calls `probe` for every word of every link: link, word as text, cycles pushed and taken.
+  using Probe = std::function<void(const std::string& link, const std::string& word, Cycle pushed,
+                                   Cycle taken)>;
+  void set_probe(const Probe& probe);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cigsim
