@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Priority resolver: the functional level against each face painted on the line, and the timed and
+// the clocked level against the functional one and against each other, cycle by cycle.
+#include <gtest/gtest.h>
+
+#include "models/priority_resolver/clocked.hpp"
+#include "models/priority_resolver/functional.hpp"
+#include "models/priority_resolver/timed.hpp"
+#include "tests/support/fresh_simulation.hpp"
+#include "tests/support/random_lines.hpp"
+#include "tests/support/stage_bench.hpp"
+
+namespace cigsim::priority_resolver {
+namespace {
+
+using test::History;
+
+/// What a case is about: frames of lines.
+struct Case {
+  explicit Case(unsigned seed) : waits(seed) {
+    std::mt19937 random(seed);
+    const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
+    machine.raster.width = static_cast<int>(below(4) == 0 ? 1 + below(3) : 1 + below(70));
+    machine.raster.height = static_cast<int>(1 + below(5));
+    crossing_depth = 1 + below(below(2) ? 3 : 20);
+    span_depth = 1 + below(below(2) ? 3 : 20);
+    frames = 1 + below(3);
+    const std::uint32_t faces = 1 + below(below(3) ? 12 : 300), most = below(2) ? 4 : 30;
+    for (std::uint32_t l = 0; l < frames * static_cast<std::uint32_t>(machine.raster.height); ++l)
+      lines.push_back(test::random_line(random, faces, most, width()));
+    for (const auto& line : lines) words.insert(words.end(), line.begin(), line.end());
+  }
+  std::uint16_t width() const { return static_cast<std::uint16_t>(machine.raster.width); }
+
+  MachineDescription machine;
+  std::uint32_t crossing_depth, span_depth, frames;
+  std::vector<std::vector<CrossingWord>> lines;
+  std::vector<CrossingWord> words;
+  test::Waits waits;
+};
+
+std::vector<Span> functional_spans(Functional& resolver, const std::vector<CrossingWord>& line,
+                                   std::uint16_t width) {
+  std::vector<Crossing> crossings;
+  for (const CrossingWord& word : line)
+    if (!word.end) crossings.push_back({word.face, word.element, word.left});
+  std::vector<Span> spans;
+  resolver.line(crossings, width, line.back().cut ? line.back().element : width,
+                [&](const Span& span) { spans.push_back(span); });
+  return spans;
+}
+
+/// What each element shows: of the faces from a left edge at or before it to a right edge after
+/// it, or to the line's end, the one of highest priority; the background where the line is cut.
+std::vector<std::uint32_t> painted(const std::vector<CrossingWord>& line, int width) {
+  std::vector<std::uint32_t> shown(static_cast<std::size_t>(width), kNone);
+  for (const CrossingWord& left : line) {
+    if (left.end || !left.left) continue;
+    int end = line.back().cut ? line.back().element : width;
+    for (const CrossingWord& right : line)
+      if (!right.end && !right.left && right.face == left.face)
+        end = std::min<int>(end, right.element);
+    for (int e = left.element; e < end; ++e)
+      shown[static_cast<std::size_t>(e)] = std::min(shown[static_cast<std::size_t>(e)], left.face);
+  }
+  return shown;
+}
+
+class Bench {
+ public:
+  Bench(const Case& c, bool clocked, const Clock& clock)
+      : crossings("crossings", c.crossing_depth, c.waits), spans("spans", c.span_depth, c.waits) {
+    const auto report = [this](const Figures& frame) { figures.push_back(frame); };
+    parts_.make<test::Feeder<CrossingWord>>(crossings.link, c.words, c.waits);
+    parts_.make<test::Drain<SpanWord>>(spans.link, c.waits);
+    if (clocked) {
+      Clocked& stage = parts_.make<Clocked>(c.machine, clock, report);
+      stage.clock(clock.wire);
+      parts_.connect(clock, crossings.link, stage.crossings);
+      parts_.connect(clock, stage.spans, spans.link);
+    } else {
+      parts_.make<Timed>(c.machine, Timed::Links{crossings.link, spans.link}, report);
+    }
+  }
+  test::RecordedLink<CrossingWord> crossings;
+  test::RecordedLink<SpanWord> spans;
+  std::vector<Figures> figures;
+
+ private:
+  test::Parts parts_;
+};
+
+TEST(PriorityResolver, FunctionalSpansAreThoseOfFacesPaintedOnTheLine) {
+  Functional resolver;
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Case c(seed);
+    for (const auto& line : c.lines) {
+      std::vector<std::uint32_t> shown;
+      std::uint32_t before = kNone - 1;
+      for (const Span& span : functional_spans(resolver, line, c.width())) {
+        ASSERT_EQ(span.first, shown.size());
+        ASSERT_LT(span.first, span.end);
+        ASSERT_NE(span.face, before);
+        before = span.face;
+        shown.resize(span.end, span.face);
+      }
+      ASSERT_EQ(shown, painted(line, c.machine.raster.width));
+    }
+  }
+}
+
+TEST(PriorityResolver, TimedAndClockedGiveTheFunctionalSpansInTheSameCycles) {
+  constexpr unsigned kCases = 600;
+  test::fresh_simulation();
+  Clock clock("clock", 125);
+  std::vector<std::unique_ptr<Case>> cases;
+  std::vector<std::unique_ptr<Bench>> timed, clocked;
+  for (unsigned seed = 0; seed < kCases; ++seed) {
+    cases.push_back(std::make_unique<Case>(seed));
+    timed.push_back(std::make_unique<Bench>(*cases.back(), false, clock));
+    clocked.push_back(std::make_unique<Bench>(*cases.back(), true, clock));
+  }
+  sc_core::sc_start();  // the timed ones
+  Cycle last = 0;
+  for (const auto& bench : timed) {
+    ASSERT_FALSE(bench->spans.history.empty());
+    last = std::max(last, bench->spans.history.back().taken);
+  }
+  clock.start();
+  sc_core::sc_start(static_cast<double>(last + 10) * clock.period());
+  clock.stop();
+
+  Functional resolver;
+  for (unsigned seed = 0; seed < kCases; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Case& c = *cases[seed];
+    std::vector<SpanWord> expected;
+    for (const auto& line : c.lines) {
+      for (const Span& span : functional_spans(resolver, line, c.width()))
+        expected.push_back({span.face, span.first, span.end, false});
+      expected.back().last = true;
+    }
+    std::vector<SpanWord> spans;
+    for (const auto& handover : timed[seed]->spans.history) spans.push_back(handover.word);
+    ASSERT_EQ(spans, expected);
+    ASSERT_EQ(clocked[seed]->crossings.history, timed[seed]->crossings.history);
+    ASSERT_EQ(clocked[seed]->spans.history, timed[seed]->spans.history);
+    ASSERT_EQ(timed[seed]->figures.size(), c.frames);
+    ASSERT_TRUE(clocked[seed]->figures == timed[seed]->figures);
+    std::uint64_t counted = 0;
+    for (const Figures& frame : timed[seed]->figures) {
+      counted += frame.spans;
+      ASSERT_GE(frame.activity.idle, 0);
+      ASSERT_GE(frame.activity.stalled, 0);
+      ASSERT_GT(frame.activity.busy(), 0);
+    }
+    ASSERT_EQ(counted, expected.size());
+  }
+}
+
+}  // namespace
+}  // namespace cigsim::priority_resolver
