@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Edge orderer, functional level (Stump 1986, ch. II): for each raster line the crossings of all
-// edges, ordered by element.
+// edges, ordered by element. On machine words, what becomes of lines with too many crossings is
+// reconstruction (docs/machine/edge_orderer.md).
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
+#include "models/edge_orderer/line_orderer.hpp"
 #include "models/edge_orderer/stepper.hpp"
 
 namespace cigsim::edge_orderer {
@@ -15,6 +17,7 @@ namespace cigsim::edge_orderer {
 struct OrderedCrossings {
   std::vector<Crossing> crossings;
   std::vector<std::uint32_t> first;
+  std::vector<std::uint16_t> limit;  ///< by line: from this element on it was cut; width: not cut
 };
 
 template <class N>
@@ -25,6 +28,8 @@ class Functional {
     for (const Edge<N>& edge : edges.edges)
       for (int r = edge.first_line; r < edge.end_line; ++r) ++out.first[r + 1];
     for (int r = 0; r < raster.height; ++r) out.first[r + 1] += out.first[r];
+    out.limit.assign(static_cast<std::size_t>(raster.height),
+                     static_cast<std::uint16_t>(raster.width));
     out.crossings.resize(out.first.back());
     next_.assign(out.first.begin(), out.first.end() - 1);
     element_.resize(static_cast<std::size_t>(raster.height));
@@ -50,6 +55,22 @@ class Functional {
  private:
   std::vector<std::uint32_t> next_;
   std::vector<std::int32_t> element_;
+};
+
+/// On machine words, by the rules EO1 to EO4.
+template <>
+class Functional<MachineWord> {
+ public:
+  /// `capacity`: crossings of a line, 0: no limit.
+  explicit Functional(std::uint32_t capacity = 0, OverloadPolicy policy = OverloadPolicy::kDrop)
+      : capacity_(capacity), policy_(policy) {}
+
+  /// Returns what happened; frame number and activity are zero.
+  Figures compute(const EdgeList<MachineWord>& edges, const Raster& raster, OrderedCrossings& out);
+
+ private:
+  std::uint32_t capacity_;
+  OverloadPolicy policy_;
 };
 
 }  // namespace cigsim::edge_orderer
