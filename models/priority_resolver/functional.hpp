@@ -23,10 +23,11 @@ class Functional {
     for (int r = 0; r < raster.height; ++r) {
       const std::uint32_t first = ordered.first[r], count = ordered.first[r + 1] - first;
       const std::uint16_t width = static_cast<std::uint16_t>(raster.width);
-      line({ordered.crossings.data() + first, count}, width, width, [&](const Span& span) {
-        out.add(r, span);
-        shown += span.face != kNone;
-      });
+      line({ordered.crossings.data() + first, count}, width, ordered.limit[r],
+           [&](const Span& span) {
+             out.add(r, span);
+             shown += span.face != kNone;
+           });
     }
     return shown;
   }

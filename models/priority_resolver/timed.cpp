@@ -47,40 +47,44 @@ void Timed::frame() {
 }
 
 void Timed::line() {
-  for (;;) {
+  std::uint16_t at = 0;
+  std::uint64_t passed = 0;
+  int most_active = 0;
+  CrossingWord word;
+  for (;; ++passed) {
     const Cycle now = std::max(in_.available(), free_);  // PR3
-    const CrossingWord word = in_.front();
+    word = in_.front();
     in_.take(now);
     if (word.end) {
-      end_line(word, now);
-      return;
+      end_line(word, at, now);
+      break;
     }
-    assert(word.element >= at_ && word.element <= width_);
-    if (word.element > at_) {  // PR4
+    assert(word.element >= at && word.element <= width_);
+    if (word.element > at) {  // PR4
       const std::uint32_t answer = active_.first();
-      if (answer != shown_) close(at_, answer, false, now);
-      at_ = word.element;
+      if (answer != shown_) close(at, answer, false, now);
+      at = word.element;
     }
     if (word.face >= active_.size()) active_.grow(2 * std::size_t{word.face} + 64);
     active_.pass(word.face, word.left);  // PR5
-    ++figures_.crossings;
-    figures_.most_active =
-        std::max(figures_.most_active, static_cast<std::uint32_t>(active_.count()));
+    most_active = std::max(most_active, active_.count());
   }
+  figures_.crossings += passed;
+  figures_.most_active = std::max(figures_.most_active, static_cast<std::uint32_t>(most_active));
 }
 
 // PR6. A further span goes into the register in the first cycle in which it is free again.
-void Timed::end_line(const CrossingWord& word, Cycle now) {
+void Timed::end_line(const CrossingWord& word, std::uint16_t at, Cycle now) {
   const std::uint16_t limit = word.cut ? word.element : width_;
-  assert(limit >= at_ && limit <= width_);
+  assert(limit >= at && limit <= width_);
   const std::uint32_t spans_before = line_spans_;
   const auto next = [&] { return std::max(now, free_); };
-  const std::uint32_t answer = at_ < limit ? active_.first() : shown_;
-  if (answer != shown_) close(at_, answer, false, now);
+  const std::uint32_t answer = at < limit ? active_.first() : shown_;
+  if (answer != shown_) close(at, answer, false, now);
   if (limit < width_ && shown_ != kNone) close(limit, kNone, false, next());
   close(width_, kNone, true, next());
   moves_ += line_spans_ - spans_before - 1;
-  at_ = start_ = 0;  // PR8
+  start_ = 0;  // PR8
   active_.clear();
 }
 

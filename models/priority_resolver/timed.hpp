@@ -29,7 +29,7 @@ class Timed : public sc_core::sc_module {
   void run();
   void frame();
   void line();
-  void end_line(const CrossingWord& word, Cycle now);
+  void end_line(const CrossingWord& word, std::uint16_t at, Cycle now);
   void close(std::uint16_t end, std::uint32_t next, bool last, Cycle now);
   void put(const SpanWord& span, Cycle now);
 
@@ -40,7 +40,7 @@ class Timed : public sc_core::sc_module {
   int height_;
 
   ActiveList active_;
-  std::uint16_t at_ = 0, start_ = 0;
+  std::uint16_t start_ = 0;
   std::uint32_t shown_ = kNone;
   Cycle free_ = 0;  // from this cycle on the output register is free (PR2)
   std::uint32_t line_spans_ = 0;
