@@ -64,6 +64,7 @@ class LinkToPins : public Transactor {
     if (valid_) link_.take(n);
     const bool word = link_.has_word();
     const Cycle next = word ? link_.available_now() : 0;
+    assert(!word || next > n);  // else a timed producer was behind the clock
     valid_ = word && next <= n + 1;
     out.valid.write(valid_);
     if (valid_)
@@ -95,6 +96,7 @@ class PinsToLink : public Transactor {
     if (valid && ready_) link_.push(in.word.read(), n);
     const bool slot = link_.has_slot();
     const Cycle room = slot ? link_.room_now() : 0;
+    assert(!slot || !valid || room > n);  // else a timed consumer was behind the clock
     ready_ = slot && room <= n + 1;
     in.ready.write(ready_);
     if (!slot)
