@@ -29,6 +29,7 @@ class Clocked : public sc_core::sc_module {
   PinIn<FrameWord> start{"start"};
   PinOut<CrossingWord> crossings{"crossings"};
 
+  /// Pins and registers; call it when the pins are bound and elaboration is done.
   void trace(sc_core::sc_trace_file* file) const;
 
  private:
