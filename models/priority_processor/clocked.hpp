@@ -32,6 +32,9 @@ class Clocked : public sc_core::sc_module {
 
   void trace(sc_core::sc_trace_file* file) const;
 
+  /// The members' counters as they stand, those of the group that was ordered last.
+  const std::array<std::uint8_t, kGroupCapacity>& counts() const { return counts_; }
+
  private:
   /// A microinstruction, its fields apart.
   struct Instruction {
