@@ -68,10 +68,6 @@ Clocked::Clocked(sc_core::sc_module_name name, const MachineDescription& machine
   dont_initialize();
   sensitive << clock.pos();
   decode(firmware::stage_program("priority_processor"));
-  const std::uint32_t depth =
-      std::max({banks[0].memory().depth, banks[1].memory().depth, std::uint32_t{1}});
-  places_.resize(depth);
-  order_.resize(std::size_t{depth} * kGroupCapacity);
   ready_ = program_[0].take;
   start.ready.initialize(ready_);
 }
@@ -227,6 +223,11 @@ void Clocked::take() {
   figures_ = {};
   figures_.frame = word.frame;
   parity_ = word.frame & 1;
+  const std::size_t depth = banks_[parity_].memory().depth;
+  if (depth > places_.size()) {
+    places_.resize(depth);
+    order_.resize(depth * kGroupCapacity);
+  }
   bar_ = 0;
   put_items_ = 0;
   ground_item_ = 0;

@@ -87,7 +87,7 @@ class Clocked : public sc_core::sc_module {
   std::uint32_t listed_ = 0, largest_ = 0, rank_ = 0;
   bool twice_ = false;
   std::uint32_t level_ = 0, group_ = 0;
-  std::vector<Place> places_;         // a level
+  std::vector<Place> places_;         // a level, as many as the database needs
   std::vector<std::uint32_t> order_;  // kGroupCapacity words a level
   std::uint32_t put_items_ = 0;
   bool valid_ = false, ready_ = false;

@@ -18,7 +18,7 @@ namespace cigsim::test {
 /// Two banks and what happens on the links. Frame k reads bank k mod 2.
 struct PriorityCase {
   MachineDescription machine;
-  std::unique_ptr<priority_processor::PriorityMemory> memory;
+  std::vector<std::unique_ptr<priority_processor::PriorityMemory>> memories;
   std::vector<priority_processor::PriorityBank> filled;  ///< two
   std::uint32_t frames = 2;
   Cycle start_gap = 0;       ///< between start words at least

@@ -210,14 +210,14 @@ struct RandomCase {
   explicit RandomCase(std::uint64_t seed) {
     Random random(seed);
     constexpr int kScale = 24;
-    std::uint32_t items = 0;
-    const PriorityHierarchy h = random_hierarchy(random, items);
     bench.machine.formats.direction_fraction = random.below(2) ? 30 : 14;
     bench.machine.links.items = 1 + random.below(5);
     bench.machine.object_capacity = random.below(3) == 0 ? 1 + random.below(20) : 0;
-    bench.memory = std::make_unique<PriorityMemory>(h, items, kScale, bench.machine);
     for (Expected& e : expected) {
-      bench.filled.emplace_back(*bench.memory);
+      std::uint32_t items = 0;  // each frame is of a database of its own
+      const PriorityHierarchy h = random_hierarchy(random, items);
+      bench.memories.push_back(std::make_unique<PriorityMemory>(h, items, kScale, bench.machine));
+      bench.filled.emplace_back(*bench.memories.back());
       if (random.below(2))  // what a frame before has left must not matter
         bench.filled.back().fill(random_frame(h, items, random), {}, random.below(3));
       const ActiveEnvironment active = random_frame(h, items, random);
@@ -311,8 +311,8 @@ TEST(PriorityProcessor, PreparedWorldsAreListedAsWithExactPlanes) {
     const PreparedSystem& system = database.systems[0];
     PriorityCase& c = cases.emplace_back();
     const int scale = coordinate_scale(database, c.machine.formats);
-    c.memory = std::make_unique<PriorityMemory>(system.hierarchy, system.set.items.size(), scale,
-                                                c.machine);
+    c.memories.push_back(std::make_unique<PriorityMemory>(system.hierarchy, system.set.items.size(),
+                                                          scale, c.machine));
     c.pauses = seed % 3 == 0 ? 0 : seed;
     auto& lists = expected.emplace_back();
     const frame_calculator::Functional calculator(database);
@@ -326,7 +326,7 @@ TEST(PriorityProcessor, PreparedWorldsAreListedAsWithExactPlanes) {
       if (overflows != 0 || !clear_of_planes(system.hierarchy, active.view.eye, scale)) continue;
       Functional<double> functional(Method::kCounters);
       functional.compute(system.hierarchy, active, database.ground, lists.emplace_back());
-      c.filled.emplace_back(*c.memory);
+      c.filled.emplace_back(*c.memories[0]);
       c.filled.back().fill(active, view, static_cast<std::uint32_t>(database.ground.items.size()));
     }
     benches.emplace_back(c, PriorityBench::kTimed, clock);
@@ -377,10 +377,10 @@ PriorityCase table_case(std::uint32_t objects, const std::vector<TablePlane>& pl
   }
   constexpr int kScale = 20;
   PriorityCase c;
-  c.memory = std::make_unique<PriorityMemory>(h, objects, kScale, c.machine);
+  c.memories.push_back(std::make_unique<PriorityMemory>(h, objects, kScale, c.machine));
   ActiveEnvironment active;
   active.groups.push_back({0, (std::uint64_t{1} << objects) - 1, 1});
-  c.filled.assign(2, PriorityBank(*c.memory));
+  c.filled.assign(2, PriorityBank(*c.memories[0]));
   for (PriorityBank& bank : c.filled)
     bank.fill(active, eye_words(eye, kScale, c.machine.formats), 0);
   c.frames = 1;
