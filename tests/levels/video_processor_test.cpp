@@ -24,6 +24,7 @@ struct Case {
     if (below(4) != 0)
       machine.frame_cycles = machine.line_cycles * machine.raster.height + below(40);
     for (std::uint32_t& depth : depths) depth = 1 + below(below(2) ? 3 : 20);
+    early_starts = below(2) == 1;
     frames = 1 + below(4);
     for (std::uint32_t k = 0; k < frames; ++k) add_frame(random);
   }
@@ -37,6 +38,7 @@ struct Case {
 
   MachineDescription machine;
   std::uint32_t depths[5], frames = 0;
+  bool early_starts = false;                 ///< a start word may come while a picture is shown
   std::vector<std::vector<FaceWord>> faces;  ///< by frame, with the end word
   std::vector<Colour> backgrounds;
   std::vector<SpanWord> spans;  ///< of all frames
@@ -75,8 +77,8 @@ struct Shown {
   friend bool operator==(const Shown&, const Shown&) = default;
 };
 
-/// The sequencer's part: starts a picture when its faces are loaded and the one before is shown;
-/// gives the faces of a picture when the bank is no longer read.
+/// The sequencer's part: starts a picture when its faces are loaded and, unless starts are early,
+/// the one before is shown; gives the faces of a picture when the bank is no longer read.
 class Sequencer : public sc_core::sc_module {
  public:
   struct Links {
@@ -87,6 +89,7 @@ class Sequencer : public sc_core::sc_module {
       : sc_module(name), case_(c), banks_(banks), links_(links), shown_(c.frames, -1) {
     SC_HAS_PROCESS(Sequencer);
     SC_THREAD(start);
+    SC_THREAD(take_shown);
     SC_THREAD(feed);
   }
 
@@ -98,8 +101,13 @@ class Sequencer : public sc_core::sc_module {
       EXPECT_EQ(links_.loaded.front().frame, k);
       links_.loaded.take(at);
       banks_[k % 2].background = case_.backgrounds[k];
-      links_.start.push_from({k}, at + 1 + case_.waits("start feeder", k));
-      at = links_.shown.available() + case_.waits("shown drain", k);
+      if (k > 0 && !case_.early_starts) at = std::max(at, shown(k - 1));
+      at = links_.start.push_from({k}, at + 1 + case_.waits("start feeder", k));
+    }
+  }
+  void take_shown() {
+    for (std::uint32_t k = 0; k < case_.frames; ++k) {
+      const Cycle at = links_.shown.available() + case_.waits("shown drain", k);
       EXPECT_EQ(links_.shown.front().frame, k);
       links_.shown.take(at);
       shown_[k] = at;
@@ -109,11 +117,15 @@ class Sequencer : public sc_core::sc_module {
   void feed() {
     Cycle at = -1;
     for (std::uint32_t k = 0, word = 0; k < case_.frames; ++k) {
-      while (k >= 2 && shown_[k - 2] < 0) wait(shown_event_);
-      if (k >= 2) at = std::max(at, shown_[k - 2]);
+      if (k >= 2) at = std::max(at, shown(k - 2));
       for (const FaceWord& face : case_.faces[k])
         at = links_.faces.push_from(face, at + 1 + case_.waits("faces feeder", word++));
     }
+  }
+  /// The cycle in which the word of picture k was taken from `shown`. Waits for it.
+  Cycle shown(std::uint32_t k) {
+    while (shown_[k] < 0) wait(shown_event_);
+    return shown_[k];
   }
 
   const Case& case_;
