@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The two programs that turn VCD files into FST files and back. FST is the compressed format of the
+// viewer GTKWave; Debian's package gtkwave has both.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace cigsim {
+
+/// Whether PATH leads to `program`.
+bool has_program(const std::string& program);
+
+/// A program whose standard output, or input, is a file of ours. Throws std::runtime_error when it
+/// cannot be started.
+class Pipe {
+ public:
+  enum class End { kReads, kWrites };  ///< what we do
+
+  /// `words`: the program, looked for in PATH, and its arguments.
+  Pipe(const std::vector<std::string>& words, End end);
+  ~Pipe();
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  std::FILE* file() { return file_; }
+
+  /// Closes our end and waits for the program: whether it ended with success. A program that we
+  /// read from and that we left before its end counts as a failure.
+  bool finish();
+
+ private:
+  std::FILE* file_ = nullptr;
+  pid_t child_ = -1;
+};
+
+}  // namespace cigsim
