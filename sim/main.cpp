@@ -89,6 +89,7 @@ int main(int argc, char** argv) {
   cigsim::add_generate(program, exit_code);
   cigsim::add_levels(program, exit_code);
   cigsim::add_machines(program, exit_code);
+  cigsim::add_assemble(program, exit_code);
   cigsim::add_wave_picture(program, exit_code);
   const int result = parse_and_run(program, argc, argv, exit_code);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
