@@ -3,6 +3,8 @@
 // the clocked level against the functional one and against each other, cycle by cycle.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "models/priority_resolver/clocked.hpp"
 #include "models/priority_resolver/functional.hpp"
 #include "models/priority_resolver/timed.hpp"
@@ -17,6 +19,7 @@ using test::History;
 
 /// What a case is about: frames of lines.
 struct Case {
+  Case() = default;
   explicit Case(unsigned seed) : waits(seed) {
     std::mt19937 random(seed);
     const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
@@ -33,10 +36,10 @@ struct Case {
   std::uint16_t width() const { return static_cast<std::uint16_t>(machine.raster.width); }
 
   MachineDescription machine;
-  std::uint32_t crossing_depth, span_depth, frames;
+  std::uint32_t crossing_depth = 16, span_depth = 16, frames = 1;
   std::vector<std::vector<CrossingWord>> lines;
   std::vector<CrossingWord> words;
-  test::Waits waits;
+  test::Waits waits = test::Waits::none();
 };
 
 std::vector<Span> functional_spans(Functional& resolver, const std::vector<CrossingWord>& line,
@@ -157,6 +160,43 @@ TEST(PriorityResolver, TimedAndClockedGiveTheFunctionalSpansInTheSameCycles) {
     }
     ASSERT_EQ(counted, expected.size());
   }
+}
+
+/// Where and when the spans of one line go into the link, at both levels.
+std::vector<std::tuple<int, int, int, Cycle>> pushes(const Case& c) {
+  test::fresh_simulation();
+  std::vector<std::tuple<int, int, int, Cycle>> result[2];
+  Clock clock("clock", 125);
+  Bench timed(c, false, clock), clocked(c, true, clock);
+  clock.start();
+  sc_core::sc_start(200 * clock.period());
+  for (const Bench* bench : {&timed, &clocked})
+    for (const auto& [span, pushed, taken] : bench->spans.history)
+      result[bench == &clocked].emplace_back(span.face == kNone ? -1 : static_cast<int>(span.face),
+                                             span.first, span.end, pushed);
+  EXPECT_EQ(result[0], result[1]);
+  EXPECT_TRUE(timed.figures == clocked.figures);
+  return result[0];
+}
+
+// Worked by hand from PR2 to PR6: words are taken in cycles 1 to 5, and the end word closes two
+// spans.
+TEST(PriorityResolver, SmallLineTakesTheCyclesWorkedByHand) {
+  Case c;
+  c.machine.raster = {8, 1};
+  c.words = {{1, 1, true}, {0, 2, true}, {0, 5, false}, {1, 7, false}, {0, 0, false, true, false}};
+  EXPECT_EQ(pushes(c),
+            (std::vector<std::tuple<int, int, int, Cycle>>{
+                {-1, 0, 1, 3}, {1, 1, 2, 4}, {0, 2, 5, 5}, {1, 5, 7, 6}, {-1, 7, 8, 7}}));
+}
+
+// The same, cut at element 4: face 0 up to there, and the background from there on.
+TEST(PriorityResolver, CutLineTakesTheCyclesWorkedByHand) {
+  Case c;
+  c.machine.raster = {8, 1};
+  c.words = {{1, 1, true}, {0, 2, true}, {0, 4, false, true, true}};
+  EXPECT_EQ(pushes(c), (std::vector<std::tuple<int, int, int, Cycle>>{
+                           {-1, 0, 1, 3}, {1, 1, 2, 4}, {0, 2, 4, 5}, {-1, 4, 8, 6}}));
 }
 
 }  // namespace

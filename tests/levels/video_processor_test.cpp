@@ -14,6 +14,7 @@ namespace {
 
 /// What a case is about: pictures with their faces and spans.
 struct Case {
+  Case() = default;
   explicit Case(unsigned seed) : waits(seed) {
     std::mt19937 random(seed);
     const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
@@ -37,12 +38,12 @@ struct Case {
   }
 
   MachineDescription machine;
-  std::uint32_t depths[5], frames = 0;
+  std::uint32_t depths[5] = {4, 4, 4, 4, 4}, frames = 0;
   bool early_starts = false;                 ///< a start word may come while a picture is shown
   std::vector<std::vector<FaceWord>> faces;  ///< by frame, with the end word
   std::vector<Colour> backgrounds;
   std::vector<SpanWord> spans;  ///< of all frames
-  test::Waits waits;
+  test::Waits waits = test::Waits::none();
 
  private:
   void add_frame(std::mt19937& random) {
@@ -135,6 +136,32 @@ class Sequencer : public sc_core::sc_module {
   sc_core::sc_event shown_event_;
 };
 
+/// The video pins, in every cycle in which elements leave.
+class Monitor : public sc_core::sc_module {
+ public:
+  struct Group {
+    Cycle cycle;
+    std::uint32_t line, element, colour;
+  };
+  Monitor(sc_core::sc_module_name name, const Clock& clock, const Clocked& stage)
+      : sc_module(name), clock_(clock), stage_(stage) {
+    SC_HAS_PROCESS(Monitor);
+    SC_METHOD(edge);
+    dont_initialize();
+    sensitive << clock_.wire.posedge_event();
+  }
+  std::vector<Group> groups;
+
+ private:
+  void edge() {
+    if (stage_.video_on.read())
+      groups.push_back({clock_.cycle(), stage_.video_line.read(), stage_.video_element.read(),
+                        stage_.video_colour.read()});
+  }
+  const Clock& clock_;
+  const Clocked& stage_;
+};
+
 class Bench {
  public:
   Bench(const Case& c, bool clocked, const Clock& clock)
@@ -155,6 +182,7 @@ class Bench {
     if (clocked) {
       Clocked& stage = parts_.make<Clocked>(c.machine, clock, banks_, outputs);
       stage.clock(clock.wire);
+      monitor = &parts_.make<Monitor>(clock, stage);
       parts_.connect(clock, faces.link, stage.faces);
       parts_.connect(clock, stage.loaded, loaded.link);
       parts_.connect(clock, start.link, stage.start);
@@ -173,6 +201,7 @@ class Bench {
   std::vector<Figures> figures;
   std::vector<Shown> pictures;
   std::vector<Cycle> lines;
+  Monitor* monitor = nullptr;
 
  private:
   VideoBanks banks_;
@@ -254,6 +283,26 @@ void expect_raster(const Case& c, const Bench& bench) {
   }
 }
 
+/// The pins show each group of elements, in its cycle, with its first colour.
+void expect_video(const Case& c, const Bench& bench) {
+  const std::size_t width = static_cast<std::size_t>(c.machine.raster.width);
+  const std::size_t height = static_cast<std::size_t>(c.machine.raster.height);
+  std::size_t next = 0;
+  for (std::size_t l = 0; l < bench.lines.size(); ++l) {
+    const std::vector<std::uint32_t>& colours = bench.pictures[l / height].colours;
+    for (Cycle i = 0; i < c.line_length(); ++i) {
+      ASSERT_LT(next, bench.monitor->groups.size());
+      const Monitor::Group& group = bench.monitor->groups[next++];
+      const std::size_t element = static_cast<std::size_t>(i) * c.machine.elements_per_cycle;
+      ASSERT_EQ(group.cycle, bench.lines[l] + i);
+      ASSERT_EQ(group.line, l % height);
+      ASSERT_EQ(group.element, element);
+      ASSERT_EQ(group.colour, colours[l % height * width + element]);
+    }
+  }
+  ASSERT_EQ(next, bench.monitor->groups.size());
+}
+
 TEST(VideoProcessor, TimedAndClockedGiveTheFunctionalPicturesInTheSameCycles) {
   constexpr unsigned kCases = 600;
   test::fresh_simulation();
@@ -288,7 +337,38 @@ TEST(VideoProcessor, TimedAndClockedGiveTheFunctionalPicturesInTheSameCycles) {
     ASSERT_EQ(b.lines, a.lines);
     ASSERT_TRUE(b.pictures == a.pictures);
     ASSERT_TRUE(b.figures == a.figures);
+    expect_video(*cases[seed], b);
     if (HasFatalFailure()) return;
+  }
+}
+
+// Worked by hand from VP1 to VP8: the faces' end word is taken in cycle 1 and its frame word in 3,
+// so B = 5; blanking is 2 and the pitch 3 cycles.
+TEST(VideoProcessor, SmallPictureTakesTheCyclesWorkedByHand) {
+  Case c;
+  c.machine.raster = {4, 2};
+  c.machine.elements_per_cycle = 2;
+  c.machine.line_cycles = 3;
+  c.machine.frame_cycles = 8;
+  c.frames = 1;
+  c.faces = {{{0, true, 0, 0}}};
+  c.backgrounds.resize(1);
+  c.spans = {{kNone, 0, 4, true}, {kNone, 0, 4, true}};
+  test::fresh_simulation();
+  Clock clock("clock", 125);
+  Bench timed(c, false, clock), clocked(c, true, clock);
+  clock.start();
+  sc_core::sc_start(100 * clock.period());
+  for (const Bench* bench : {&timed, &clocked}) {
+    EXPECT_EQ(bench->start.history.at(0).taken, 5);
+    EXPECT_EQ(bench->spans.history.at(0).taken, 6);
+    EXPECT_EQ(bench->spans.history.at(1).taken, 7);
+    EXPECT_EQ(bench->lines, (std::vector<Cycle>{7, 10}));
+    EXPECT_EQ(bench->pictures.at(0).first, 7);
+    EXPECT_EQ(bench->pictures.at(0).last, 11);
+    const Figures& figures = bench->figures.at(0);
+    EXPECT_EQ(figures.activity, (Activity{5, 12, 0, 0}));
+    EXPECT_EQ(figures.late_lines, 0u);
   }
 }
 

@@ -20,7 +20,14 @@ namespace cigsim::test {
 class Waits {
  public:
   explicit Waits(unsigned seed) : seed_(seed) {}
+  /// Never any.
+  static Waits none() {
+    Waits waits(0);
+    waits.none_ = true;
+    return waits;
+  }
   Cycle operator()(const std::string& name, std::uint64_t number) const {
+    if (none_) return 0;
     const std::uint64_t stream = mix(seed_ + std::hash<std::string>{}(name));
     const std::uint64_t value = mix(stream + number + 1);
     switch (stream % 4) {
@@ -42,6 +49,7 @@ class Waits {
     return x ^ (x >> 31);
   }
   unsigned seed_;
+  bool none_ = false;
 };
 
 template <class T>
