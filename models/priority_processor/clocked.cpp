@@ -125,7 +125,7 @@ void Clocked::edge() {
 
 // All fields act on the registers' values from before, so what is read goes before what is written.
 void Clocked::execute(const Instruction& word, Cycle now) {
-  const bool free = !valid_ || items.ready.read();  // PP2
+  const bool free = !valid_ || items.ready.read();  // PP8
   const bool counted = word.put == kPutItem || word.put == kPutGround;
   const bool dropped = counted && capacity_ != 0 && put_items_ == capacity_;
   const bool full = !free && !dropped;

@@ -89,6 +89,7 @@ class ListWalk {
 
   std::uint32_t memory(std::uint32_t address) const { return bank_->memory().words[address]; }
 
+  // Depth first (PP4).
   void walk_groups(std::uint32_t root) {
     depth_ = 0;
     order_group(root);
@@ -113,7 +114,7 @@ class ListWalk {
     }
   }
 
-  // Opens a level with the group's members in order.
+  // Opens a level with the group's members in order (PP2).
   void order_group(std::uint32_t record) {
     const std::uint64_t active =
         bank_->at(record + 1) | static_cast<std::uint64_t>(bank_->at(record + 2)) << 32;
@@ -140,7 +141,7 @@ class ListWalk {
     fill_level(record, members, active, counts, level);
   }
 
-  // Returns the address after the plane and its pairs.
+  // Returns the address after the plane and its pairs (PP1, PP2).
   std::uint32_t count_plane(std::uint32_t address, std::uint64_t active, Counts& counts) {
     Accumulator sum = 0;
     for (std::uint32_t i = 0; i < 3; ++i)
@@ -165,6 +166,7 @@ class ListWalk {
     return end;
   }
 
+  // By count; at a fault by count, then number (PP3).
   void fill_level(std::uint32_t record, std::uint32_t members, std::uint64_t active,
                   const Counts& counts, Level& level) {
     std::array<std::uint32_t, kGroupCapacity> entries;
@@ -209,6 +211,7 @@ class ListWalk {
     }
   }
 
+  // PP6.
   void put(const ItemWord& item, Step then) {
     if (capacity_ != 0 && figures_->items == capacity_) {
       ++figures_->dropped;

@@ -42,7 +42,7 @@ void Timed::run() {
 }
 
 void Timed::frame() {
-  const Cycle start = std::max(start_.available(), free_);  // PP1
+  const Cycle start = std::max(start_.available(), free_);  // PP7
   const std::uint32_t frame = start_.front().frame;
   start_.take(start);
   figures_ = {};
@@ -58,7 +58,7 @@ void Timed::frame() {
   if (report_) report_(figures_);
 }
 
-// PP2: in the first cycle in which the register is free; offered from the next one on.
+// PP8: in the first cycle in which the register is free; offered from the next one on.
 void Timed::Pace::put(const ItemWord& item) {
   const Cycle free = std::max(now, out.last_push());
   stalled += free - now;

@@ -2,10 +2,14 @@
 // The assembler against words, costs and messages worked out by hand.
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <sstream>
+
 #include "firmware/assembler/listing.hpp"
 #include "firmware/assembler/program.hpp"
 #include "firmware/programs.hpp"
 #include "models/environment/input_error.hpp"
+#include "models/environment/text_file.hpp"
 
 namespace cigsim::firmware {
 namespace {
@@ -198,6 +202,26 @@ TEST(Programs, OfTheStagesAssemble) {
   for (const std::string& stage : microcoded_stages())
     EXPECT_GT(stage_program(stage).words.size(), 0u) << stage;
   EXPECT_THROW(stage_program("painter"), std::invalid_argument);
+}
+
+// The manual's tables of costs: "| `name`, `other` | cycles | … |".
+TEST(Programs, CostTheCyclesThatTheManualSays) {
+  for (const std::string& stage : microcoded_stages()) {
+    SCOPED_TRACE(stage);
+    const Program program = stage_program(stage);
+    std::map<std::string, Cycle, std::less<>> manual;
+    std::istringstream page(
+        read_whole_file(std::string(CIGSIM_SOURCE_DIR "/docs/machine/") + stage + ".md"));
+    const std::regex row(R"(\| ((?:`\w+`(?:, )?)+) \| (\d+) \|.*)"), name(R"(`(\w+)`)");
+    std::smatch match;
+    for (std::string line; std::getline(page, line);) {
+      if (!std::regex_match(line, match, row)) continue;
+      const std::string names = match[1];
+      for (std::sregex_iterator n(names.begin(), names.end(), name), end; n != end; ++n)
+        manual[(*n)[1]] = std::stol(match[2]);
+    }
+    EXPECT_EQ(manual, program.costs);
+  }
 }
 
 }  // namespace

@@ -482,7 +482,8 @@ TEST(StumpThroughTheMicroprogram, TestCase3InItsNineRegions) {
 
 // --- Rules and refusals.
 
-// docs/machine/priority_processor.md, "Timing rules": the example, counted by hand from PP3 to PP9.
+// docs/machine/priority_processor.md, "Timing rules": the example, counted by hand from PP7 to
+// PP14.
 TEST(PriorityProcessor, TheExampleOfTheManualTakesTheCyclesThatItSays) {
   test::fresh_simulation();
   Clock clock("clock", 125);
