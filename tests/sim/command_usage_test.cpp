@@ -16,7 +16,8 @@ TEST_F(CommandTest, HelpAndVersionSucceed) {
                              {"prepare", "--help"},
                              {"requirements", "--help"},
                              {"generate", "--help"},
-                             {"machines", "--help"}}) {
+                             {"machines", "--help"},
+                             {"assemble", "--help"}}) {
     const Outcome outcome = cigsim(words);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
@@ -29,7 +30,8 @@ TEST_F(CommandTest, HelpAndVersionSucceed) {
 }
 
 TEST_F(CommandTest, HelpLinesFitAScreen) {
-  for (const char* command : {"run", "prepare", "requirements", "generate", "machines"}) {
+  for (const char* command :
+       {"run", "prepare", "requirements", "generate", "machines", "assemble"}) {
     std::istringstream help(cigsim({command, "--help"}).out);
     for (std::string line; std::getline(help, line);) EXPECT_LE(line.size(), 100u) << line;
   }
