@@ -22,9 +22,14 @@ namespace cigsim::geometry_processor {
 /// Steps of the walk, which the timed level knows the costs of.
 enum class Step : std::uint8_t {
   kItem,
+  kLateItem,
+  kDropItem,
   kVertexOut,
   kVertexIn,
   kVertices,
+  kItemOut,
+  kLateFace,
+  kDropFace,
   kBack,
   kShown,
   kCorner,
@@ -40,20 +45,19 @@ enum class Step : std::uint8_t {
   kEntering,
   kPlaneDone,
   kClippedAway,
-  kProjectOver,
   kProject,
+  kProjectOver,
   kProjectCorner,
   kProjected,
   kPoints,
   kLevel,
-  kShort,
   kLong,
   kEdgeOut,
-  kNoFace,
-  kFace,
+  kShort,
+  kShortOut,
+  kMade,
   kFaceOut,
-  kDropItem,
-  kDropFace,
+  kNoFace,
   kCount
 };
 
@@ -115,8 +119,11 @@ class FaceWalk {
       if (word.end) return;
       const FaceMemory& memory = *bank.sets[static_cast<std::size_t>(word.set)];
       const Word* item = &memory.items[word.item * kItemWords];
-      if (dropping || pace_.late()) {  // GP15, GP16
+      if (!dropping && pace_.late()) {  // GP16
+        pace_.spend(Step::kLateItem);
         dropping = true;
+      }
+      if (dropping) {
         pace_.spend(Step::kDropItem);
         figures.dropped += static_cast<std::uint32_t>(item[kFaceCount]);
       } else {
@@ -150,11 +157,11 @@ class FaceWalk {
     const std::uint8_t all =
         transform(&memory.vertices[static_cast<std::size_t>(item[kFirstVertex])],
                   static_cast<std::size_t>(item[kVertexCount]));
-    pace_.spend(Step::kVertices);
+    pace_.spend(all == 0 ? Step::kVertices : Step::kItemOut);
     if (all != 0) return true;
     const Word* face = &memory.faces[static_cast<std::size_t>(item[kFirstFace])];
     for (Word left = item[kFaceCount]; left > 0; --left, face += kFaceWords) {
-      if (pace_.late() || process_face(memory, face) == Outcome::kOver) {
+      if (begin_face(memory, face) == Outcome::kOver) {
         pace_.spend(Step::kDropFace);
         figures_->dropped += static_cast<std::uint32_t>(left);
         return false;
@@ -225,6 +232,12 @@ class FaceWalk {
   Word raster_word(Accumulator value, int fraction) const {
     const int kept = formats_.raster_fraction;
     return static_cast<Word>(round_shift(value, fraction - kept) << (kRasterFraction - kept));
+  }
+
+  Outcome begin_face(const FaceMemory& memory, const Word* face) {
+    if (!pace_.late()) return process_face(memory, face);
+    pace_.spend(Step::kLateFace);  // GP16
+    return Outcome::kOver;
   }
 
   Outcome process_face(const FaceMemory& memory, const Word* face) {
@@ -335,7 +348,7 @@ class FaceWalk {
       pace_.spend(Step::kNoFace);
       return;
     }
-    pace_.spend(Step::kFace);
+    pace_.spend(Step::kMade);
     pace_.face({faces_, false, static_cast<std::uint32_t>(face[kObject]),
                 static_cast<std::uint32_t>(face[kColour])});
     pace_.spend(Step::kFaceOut);
@@ -360,7 +373,8 @@ class FaceWalk {
     edge.first_line = static_cast<std::uint16_t>(first);
     edge.end_line = static_cast<std::uint16_t>(end);
     edge.left = down == front;
-    if (end - first == 1) {  // GP12
+    const bool single = end - first == 1;
+    if (single) {  // GP12
       const Word t = quotient(drop, dy, formats_.quotient_fraction);
       edge.x = raster_word(from * kOne + t * dx, kQuotientFraction + kRasterFraction);
       pace_.spend(Step::kShort);
@@ -370,7 +384,7 @@ class FaceWalk {
       pace_.spend(Step::kLong);
     }
     pace_.edge(edge);
-    pace_.spend(Step::kEdgeOut);
+    pace_.spend(single ? Step::kShortOut : Step::kEdgeOut);
     ++edges_;
     ++figures_->edges;
   }
