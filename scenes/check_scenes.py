@@ -7,7 +7,8 @@ wound anticlockwise from outside; fixed objects with disjoint interiors (touchin
 objects of a model, and the fixed models, can be parted step by step by planes of their faces
 without cutting any. For the airfield: the moving aircraft keep clear of everything (sampled at
 every quarter of a frame, with doubles). For the decks: Stump's selection gives the published
-planes, pairs and counts. For fuchs-overlap.json: BSP trees by rule 1 have five pieces.
+planes, pairs and counts. For fuchs-overlap.json: BSP trees by rule 1 have five pieces. For
+stump-not-listable.json: the table's planes part its pairs, and the published counts.
 Prints a table; the exit status is 1 if anything is wrong."""
 
 import json
@@ -373,11 +374,35 @@ def check_fuchs(solids):
         fault("fuchs-overlap.json", "BSP trees by rule 1 should have five pieces")
 
 
+# --- Stump's table that is not listable --------------------------------------------------------
+
+def check_table(path, solids):
+    """Objects on the sides that their pairs say, and the counts at the scene's own eyepoint."""
+    scene = json.loads(path.read_text(encoding="utf-8"))
+    eye = exact(scene["view"]["eye"])
+    counts = [0] * len(solids)
+    pairs = set()
+    for number, plane in enumerate(scene["separation"], start=1):
+        normal, distance = exact(plane["normal"]), Fraction(plane["distance"])
+        eye_true = dot(normal, eye) >= distance
+        for on_true, on_false in plane["pairs"]:
+            pairs.add(frozenset((on_true, on_false)))
+            if any(dot(normal, v) < distance for v in solids[on_true - 1].vertices) or any(
+                    dot(normal, v) > distance for v in solids[on_false - 1].vertices):
+                fault(path.name, f"plane {number} does not part {on_true} from {on_false}")
+            counts[(on_false if eye_true else on_true) - 1] += 1
+    print(f"{path.name:24} {len(pairs)} pairs, counts {counts}")
+    if len(pairs) != math.comb(len(solids), 2) or counts != [0, 2, 2, 2]:
+        fault(path.name, "should have all pairs and the counts 0, 2, 2, 2")
+
+
 def main():
     for path in sorted(HERE.glob("*.json")):
         solids = check_scene(path)
         if path.name == "fuchs-overlap.json":
             check_fuchs(solids)
+        if path.name == "stump-not-listable.json":
+            check_table(path, solids)
     for path in sorted(HERE.glob("*.deck")):
         check_deck(path)
     for problem in problems:

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Writes the scenes of the literature beside this script: Levine 1975 (cubes, city), Fuchs 1980
-(three overlapping polygons) and Stump 1986 (three card decks). Nothing is random."""
+(three overlapping polygons) and Stump 1986 (three card decks, a table that is not listable).
+Nothing is random."""
 
 from pathlib import Path
 
@@ -116,12 +117,30 @@ DECKS = {
 }
 
 
+# Objects A, B, C, D as arms about a centre, each in an octant of its own, and the pairs of his
+# example of a table that is not listable (fig. 7). The eye stands on the FALSE side of all planes.
+NOT_LISTABLE = [
+    {"normal": [1, 0, 0], "distance": 0, "pairs": [[3, 2], [4, 1]]},
+    {"normal": [0, 1, 0], "distance": 0, "pairs": [[2, 4], [3, 1]]},
+    {"normal": [0, 0, -1], "distance": 0, "pairs": [[2, 1], [4, 3]]}]
+
+
+def stump_not_listable():
+    boxes = [(-3, -1, -3, -1, 1, 3), (-8, -1, 1, 3, -3, -1), (1, 3, 1, 3, 1, 8),
+             (1, 3, -8, -1, -3, -1)]
+    objects = [Body(name, box(*extent), colour).to_json()
+               for name, extent, colour in zip("ABCD", boxes, PALETTE[0:8:2])]
+    view = {"eye": [-14, -16, 14], "look_at": [0, 0, 0], "fov": 45}
+    return scene("stump not listable", view, objects) | {"separation": NOT_LISTABLE}
+
+
 def main():
     here = Path(__file__).resolve().parent
     for count in LEVINE_SETS:
         write_scene(here / f"levine-cubes-{count}.json", levine_cubes(count))
     write_scene(here / "levine-city.json", levine_city())
     write_scene(here / "fuchs-overlap.json", fuchs_overlap())
+    write_scene(here / "stump-not-listable.json", stump_not_listable())
     for name, cards in DECKS.items():
         (here / f"{name}.deck").write_text(cards, encoding="ascii", newline="\n")
 

@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "models/boundary/activity.hpp"
+#include "models/boundary/transactions.hpp"
 #include "sim/level.hpp"
 
 namespace cigsim {
@@ -40,13 +42,14 @@ struct FrameStats {
   double host_ms = 0;  ///< all stages, without file output
   StageTimes stages;
   std::uint64_t active_items = 0, faces = 0, edges = 0, crossings = 0, spans = 0;
-  std::uint64_t worst_line_crossings = 0;  ///< most crossings on one line
-  std::uint32_t worst_line = 0;            ///< the first line with so many
-  std::uint32_t faults = 0;                ///< listability faults
-  std::uint64_t exact_tests = 0;           ///< side tests redone in rational arithmetic
-  bool certified = false;                  ///< every decision was exact
-  std::optional<Overload> overload;        ///< on machine words
-  std::optional<FrameTiming> timing;       ///< at levels that know time
+  std::uint64_t worst_line_crossings = 0;     ///< most crossings on one line
+  std::uint32_t worst_line = 0;               ///< the first line with so many
+  std::uint32_t faults = 0;                   ///< listability faults
+  std::vector<ListabilityFault> listability;  ///< the same by name
+  std::uint64_t exact_tests = 0;              ///< side tests redone in rational arithmetic
+  bool certified = false;                     ///< every decision was exact
+  std::optional<Overload> overload;           ///< on machine words
+  std::optional<FrameTiming> timing;          ///< at levels that know time
 };
 
 }  // namespace cigsim

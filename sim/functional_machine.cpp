@@ -97,10 +97,11 @@ class FunctionalMachine::Impl {
   template <class N>
   void run(Stages<N>& s, Clock::time_point& lap) {
     const Raster& raster = options_.raster;
-    s.priority.compute(database_.systems[0].hierarchy, active_, database_.ground, list_);
+    const PreparedSystem& world = database_.systems[0];
+    s.priority.compute(world.hierarchy, world.set, active_, database_.ground, list_);
     stats_.stages.priority_processor = milliseconds_since(lap);
-    s.geometry.compute(active_.view, {&database_.systems[0].set, &moving_, &database_.ground},
-                       list_.items, s.edges);
+    s.geometry.compute(active_.view, {&world.set, &moving_, &database_.ground}, list_.items,
+                       s.edges);
     stats_.stages.geometry_processor = milliseconds_since(lap);
     resolved_ = !paints(s.edges);
     if (!resolved_) {
@@ -135,7 +136,8 @@ class FunctionalMachine::Impl {
     const EdgeList<N>& edges = stages.edges;
     if (!resolved_) stats_.spans = stages.coverage.compute(edges, options_.raster, spans_);
     stats_.active_items = list_.items.size();
-    stats_.faults = list_.faults;
+    stats_.faults = static_cast<std::uint32_t>(list_.faults.size());
+    stats_.listability = list_.faults;
     stats_.faces = edges.faces.size();
     stats_.edges = edges.edges.size();
     // Crossings begin and end with edges: a running sum over the lines gives each line's.

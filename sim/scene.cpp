@@ -47,7 +47,8 @@ void append(std::vector<Notice>& whole, const std::vector<Notice>& part) {
 
 LoadedScene prepared(std::string name, const ReadResult& scene, const PreparationChoices& choices) {
   const SceneFacts facts{scene.environment.models.size(), choices.sun || scene.environment.sun};
-  return {std::move(name), prepare_scene(scene, choices), facts};
+  Database database = prepare_scene(scene, name, choices);
+  return {std::move(name), std::move(database), facts};
 }
 
 }  // namespace
@@ -77,6 +78,11 @@ void add_preparation_options(CLI::App& command, PreparationChoices& choices) {
 }
 
 ReadResult merge(std::vector<ReadResult> parts) {
+  for (const ReadResult& part : parts)
+    if (parts.size() > 1 && !part.environment.separation.empty())
+      throw UsageError("scene \"" + part.environment.name +
+                       "\" brings a separation table, which orders its own objects alone; prepare "
+                       "it by itself");
   ReadResult whole = std::move(parts.front());
   for (std::size_t i = 1; i < parts.size(); ++i) {
     append(whole.environment, std::move(parts[i].environment));
@@ -85,9 +91,11 @@ ReadResult merge(std::vector<ReadResult> parts) {
   return whole;
 }
 
-Database prepare_scene(const ReadResult& scene, const PreparationChoices& choices) {
+Database prepare_scene(const ReadResult& scene, const std::string& name,
+                       const PreparationChoices& choices) {
   Progress progress("preparing");
   PrepareOptions options;
+  options.file = name;
   options.sun = choices.sun;
   if (choices.contact_tolerance) options.contact_tolerance = *choices.contact_tolerance;
   options.progress = [&](double share) { progress.show(share); };

@@ -38,11 +38,14 @@ void add_scene_option(CLI::App& command, std::optional<std::string>& scene);
 void add_preparation_options(CLI::App& command, PreparationChoices& choices);
 
 /// Several environments as one: objects in the order of the inputs, the background of the first,
-/// the first view and sun that an input has. `parts` must not be empty.
+/// the first view and sun that an input has. `parts` must not be empty. Throws UsageError when one
+/// of several has a separation table.
 ReadResult merge(std::vector<ReadResult> parts);
 
-/// Prepares `environment` with a progress bar; what the reader noticed joins the report.
-Database prepare_scene(const ReadResult& scene, const PreparationChoices& choices);
+/// Prepares `scene` with a progress bar; what the reader noticed joins the report. `name` stands
+/// for the scene in messages.
+Database prepare_scene(const ReadResult& scene, const std::string& name,
+                       const PreparationChoices& choices);
 
 /// A scene file is prepared in memory, a prepared database is read; without a file, the airfield.
 /// Throws InputError, and UsageError for such a choice with a prepared database.

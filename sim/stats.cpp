@@ -95,6 +95,16 @@ Json overload_json(const std::optional<Overload>& overload) {
           {"worst_lateness", overload->worst_lateness}};
 }
 
+Json listability_json(const std::vector<ListabilityFault>& faults) {
+  Json out = Json::array();
+  for (const ListabilityFault& fault : faults)
+    out.push_back({{"group", fault.group},
+                   {"objects", fault.members},
+                   {"circuit", fault.circuit},
+                   {"unresolved", fault.unresolved}});
+  return out;
+}
+
 Json machine_to_json(const RunRecord& run) {
   if (run.machine.number != NumberType::kMachine) return nullptr;
   return Json::parse(machine_json(run.machine.description));
@@ -123,6 +133,7 @@ Json frame_json(const FrameRecord& frame, std::size_t number) {
           {"spans", stats.spans},
           {"overload", overload_json(stats.overload)},
           {"faults", stats.faults},
+          {"listability", listability_json(stats.listability)},
           {"exact_tests", stats.exact_tests},
           {"certified", stats.certified}};
 }

@@ -2,6 +2,7 @@
 // The transactions that pass between stages, every quantity of the stage's number type N.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -63,11 +64,22 @@ struct ActiveEnvironment {
   std::vector<MovingPiece> moving;
 };
 
+/// A group whose counts were not unique in a frame, and why. Objects by their numbers.
+struct ListabilityFault {
+  std::uint32_t group = 0;
+  std::vector<std::uint32_t> members;  ///< in view, ascending
+  /// A shortest ring of members, each of which precedes the next, and the last the first; empty:
+  /// there is none.
+  std::vector<std::uint32_t> circuit;
+  std::vector<std::array<std::uint32_t, 2>> unresolved;  ///< pairs in view that no plane resolves
+  friend bool operator==(const ListabilityFault&, const ListabilityFault&) = default;
+};
+
 /// priority_processor -> priority_resolver: items from the highest priority to the lowest. The
 /// place of an item in the list is its priority; a face's follows from its place in the item.
 struct PriorityList {
   std::vector<ItemRef> items;
-  std::uint32_t faults = 0;  ///< groups whose counts were not unique
+  std::vector<ListabilityFault> faults;
 };
 
 /// A front face on the raster. Its edges cover the lines [first_line, end_line).

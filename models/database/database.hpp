@@ -75,8 +75,9 @@ struct SeparationNode {
   std::uint32_t plane = 0;  ///< into PriorityHierarchy::planes
   std::int32_t true_child = 0, false_child = 0;
   std::uint64_t true_members = 0, false_members = 0;
-  /// Pairs that the plane resolves, where a hand-made table lists them (then the children mean
-  /// nothing); none listed: every TRUE member with every FALSE member.
+  /// Pairs that the plane resolves, into PriorityHierarchy::pairs, where a table made by hand lists
+  /// them (then the children are 0 and mean nothing, and the masks hold the members of the pairs);
+  /// none listed: every TRUE member with every FALSE member.
   std::uint32_t first_pair = 0, pair_count = 0;
 };
 
@@ -95,13 +96,15 @@ inline constexpr std::uint32_t kGroupCapacity = 64;
 
 struct Group {
   std::uint32_t first_member = 0, member_count = 0;
-  std::uint32_t first_node = 0, node_count = 0;  ///< node 0 is the root; member_count - 1 nodes
+  /// Node 0 is the root; member_count - 1 nodes (of a table made by hand, at most 63).
+  std::uint32_t first_node = 0, node_count = 0;
 };
 
 struct PriorityHierarchy {
   std::vector<Plane> planes;
   std::vector<SeparationNode> nodes;
-  std::vector<MemberPair> pairs;  ///< of hand-made tables
+  /// Of a table made by hand, node by node; then there is one group, of items. Empty: none is.
+  std::vector<MemberPair> pairs;
   std::vector<Member> members;
   std::vector<Group> groups;  ///< groups[0] is the root when there is an item
 };

@@ -115,11 +115,43 @@ void check_group(const PriorityHierarchy& hierarchy, const Group& group, const s
   PlaneTree(hierarchy, group, place).check();
 }
 
+// A table made by hand: one group of items, every node with pairs that agree with its masks.
+void check_table(const PriorityHierarchy& hierarchy, const std::string& place) {
+  expect(hierarchy.groups.size() == 1, place, "has pairs but not one group");
+  const Group& group = hierarchy.groups[0];
+  expect(group.first_member == 0 && group.member_count <= kGroupCapacity &&
+             group.member_count == hierarchy.members.size(),
+         place, "must hold its members, at most 64, in its group");
+  expect(group.first_node == 0 && group.node_count < kGroupCapacity &&
+             group.node_count == hierarchy.nodes.size(),
+         place, "must hold its nodes, at most 63, in its group");
+  std::vector<std::uint64_t> met(group.member_count, 0);
+  for (const SeparationNode& node : hierarchy.nodes) {
+    expect(node.pair_count > 0, place, "a node has no pairs");
+    expect(node.plane < hierarchy.planes.size(), place, "a node names no plane");
+    std::uint64_t on_true = 0, on_false = 0;
+    for (std::uint32_t p = node.first_pair; p < node.first_pair + node.pair_count; ++p) {
+      const auto [t, f] = hierarchy.pairs[p];
+      expect(t < group.member_count && f < group.member_count, place, "a pair names no member");
+      const std::uint64_t true_bit = std::uint64_t{1} << t, false_bit = std::uint64_t{1} << f;
+      expect(t != f && !(met[t] & false_bit), place, "a pair occurs twice or is one member");
+      met[t] |= false_bit;
+      met[f] |= true_bit;
+      on_true |= true_bit;
+      on_false |= false_bit;
+    }
+    expect((on_true & on_false) == 0, place, "a member lies on both sides of a plane");
+    expect(on_true == node.true_members && on_false == node.false_members, place,
+           "the masks of a plane differ from its pairs");
+  }
+}
+
 // One tree from group 0 that meets every group and every item once.
 void check_hierarchy(const PriorityHierarchy& hierarchy, std::size_t items,
                      const std::string& place) {
   expect(hierarchy.groups.empty() == (items == 0), place,
          "has items but no groups, or the reverse");
+  if (!hierarchy.pairs.empty()) check_table(hierarchy, place);
   if (items == 0) return;
   std::vector<bool> item_met(items, false), group_met(hierarchy.groups.size(), false);
   std::vector<std::uint32_t> open{0};
@@ -130,7 +162,7 @@ void check_hierarchy(const PriorityHierarchy& hierarchy, std::size_t items,
     const std::string at = place + ".groups[" + std::to_string(open.back()) + "]";
     open.pop_back();
     --groups_left;
-    check_group(hierarchy, group, at);
+    if (hierarchy.pairs.empty()) check_group(hierarchy, group, at);
     for (std::uint32_t m = group.first_member; m < group.first_member + group.member_count; ++m) {
       const Member& member = hierarchy.members[m];
       std::vector<bool>& met = member.is_group ? group_met : item_met;
@@ -163,6 +195,8 @@ void check_database(const Database& database) {
              "frames must ascend");
     check_set(system.set, database.object_count, place + ".set");
     check_hierarchy(system.hierarchy, system.set.items.size(), place + ".hierarchy");
+    expect(system.hierarchy.pairs.empty() || database.systems.size() == 1, place,
+           "a table made by hand cannot order moving systems");
   }
   expect(database.ground.items.size() <= 1, "ground", "must be one item");
   check_set(database.ground, std::uint64_t{database.object_count} + database.ground.faces.size(),

@@ -24,6 +24,7 @@ class Node {
     if (found == value_.end()) fail(std::string("has no \"") + key + "\"");
     return {*found, place_.empty() ? key : place_ + "." + key};
   }
+  bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
   Node entry(std::size_t index) const {
     return {value_[index], place_ + "[" + std::to_string(index) + "]"};
   }
@@ -194,6 +195,21 @@ FaceSet read_set(const Node& node) {
   return set;
 }
 
+// The pairs of a table made by hand, in the order of its nodes.
+void read_pairs(const Node& list, PriorityHierarchy& hierarchy) {
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < list.rows(3); ++i) {
+    const auto n = list.whole<std::uint32_t>(3 * i);
+    if (n < last || n >= hierarchy.nodes.size())
+      list.fail("entry " + std::to_string(3 * i) + " must name a node, ascending");
+    last = n;
+    SeparationNode& node = hierarchy.nodes[n];
+    if (node.pair_count++ == 0) node.first_pair = static_cast<std::uint32_t>(i);
+    hierarchy.pairs.push_back(
+        {list.whole<std::uint8_t>(3 * i + 1), list.whole<std::uint8_t>(3 * i + 2)});
+  }
+}
+
 PriorityHierarchy read_hierarchy(const Node& node) {
   PriorityHierarchy hierarchy;
   hierarchy.planes = planes(node);
@@ -204,6 +220,7 @@ PriorityHierarchy read_hierarchy(const Node& node) {
                           nodes.whole<std::int32_t>(5 * i + 2),
                           nodes.whole<std::uint64_t>(5 * i + 3),
                           nodes.whole<std::uint64_t>(5 * i + 4)};
+  if (node.has("pairs")) read_pairs(node["pairs"], hierarchy);
   const Node members = node["members"], spheres = node["spheres"];
   hierarchy.members.resize(members.rows(2));
   expect_rows(spheres, 4, hierarchy.members.size());

@@ -105,6 +105,15 @@ Json hierarchy_json(const PriorityHierarchy& hierarchy) {
     nodes.push_back(node.true_members);
     nodes.push_back(node.false_members);
   }
+  Json pairs = Json::array();
+  for (std::size_t n = 0; n < hierarchy.nodes.size(); ++n) {
+    const SeparationNode& node = hierarchy.nodes[n];
+    for (std::uint32_t p = node.first_pair; p < node.first_pair + node.pair_count; ++p) {
+      pairs.push_back(n);
+      pairs.push_back(std::uint32_t{hierarchy.pairs[p].true_member});
+      pairs.push_back(std::uint32_t{hierarchy.pairs[p].false_member});
+    }
+  }
   Json members = Json::array();
   Json spheres = Json::array();
   for (const Member& member : hierarchy.members) {
@@ -121,6 +130,7 @@ Json hierarchy_json(const PriorityHierarchy& hierarchy) {
   out["members"] = std::move(members);
   out["spheres"] = std::move(spheres);
   out["groups"] = std::move(groups);
+  if (!pairs.empty()) out["pairs"] = std::move(pairs);
   return out;
 }
 

@@ -191,7 +191,16 @@ Sphere enclosing(std::span<const Vec3> points) {
   return out;
 }
 
+std::uint64_t pair_count(const PriorityHierarchy& hierarchy) {
+  if (!hierarchy.pairs.empty()) return hierarchy.pairs.size();
+  std::uint64_t pairs = 0;
+  for (const Group& group : hierarchy.groups)
+    pairs += std::uint64_t{group.member_count} * (group.member_count - 1) / 2;
+  return pairs;
+}
+
 std::uint64_t depth(const PriorityHierarchy& hierarchy) {
+  if (!hierarchy.pairs.empty()) return hierarchy.nodes.size();
   std::vector<std::uint64_t> group_depth(hierarchy.groups.size(), 0);
   std::uint64_t deepest = 0;
   std::vector<std::uint64_t> node_depth;

@@ -19,7 +19,11 @@ Sphere enclosing(const std::vector<Sphere>& spheres);
 /// A sphere around points, grown to cover rounding.
 Sphere enclosing(std::span<const Vec3> points);
 
-/// Nodes on the longest way from the root to a member, over all groups.
+/// TRUE/FALSE pairs over all groups.
+std::uint64_t pair_count(const PriorityHierarchy& hierarchy);
+
+/// Nodes on the longest way from the root to a member, over all groups. All nodes of a table made
+/// by hand are on every way.
 std::uint64_t depth(const PriorityHierarchy& hierarchy);
 
 }  // namespace cigsim

@@ -9,8 +9,10 @@
 #include "models/database/face_set_builder.hpp"
 #include "models/database/hierarchy.hpp"
 #include "models/database/partition.hpp"
+#include "models/database/separation_table.hpp"
 #include "models/database/shade.hpp"
 #include "models/database/surface.hpp"
+#include "models/environment/input_error.hpp"
 #include "models/environment/placement.hpp"
 
 namespace cigsim {
@@ -21,6 +23,7 @@ struct Preparation {
   bool sun;          // shade stated colours too
   Vec3 towards_sun;  // the scene's sun, or the one that shades invented colours
   double contact_tolerance;
+  const std::string& file;
   Notices notices;
   PreparationReport report;
 };
@@ -66,6 +69,11 @@ void add_object(Preparation& p, WorkSet& set, std::uint32_t object, std::uint32_
                                            ? placed(source_object, system.placement)
                                            : source_object,
                                        p.notices);
+  if (!p.environment.separation.empty() && !surface.convex)
+    throw InputError(p.file, 0,
+                     "object " + std::to_string(object + 1) +
+                         " is no convex body, as a separation table needs; split it or remove "
+                         "\"separation\"");
   p.report.convex_objects += surface.convex;
   p.report.unclosed_objects += !surface.closed && !surface.faces.empty();
   add_faces(
@@ -78,6 +86,13 @@ void add_object(Preparation& p, WorkSet& set, std::uint32_t object, std::uint32_
         if (!surface.convex) set.add_item(1);
       });
   if (surface.convex) set.add_item(static_cast<std::uint32_t>(surface.faces.size()));
+}
+
+// Every item a leaf, without planes.
+Partition whole_items(const WorkSet& work) {
+  Partition out;
+  for (std::uint32_t i = 0; i < work.items.size(); ++i) out.leaves.push_back({i});
+  return out;
 }
 
 PreparedSystem prepare_system(Preparation& p, std::uint32_t system,
@@ -95,15 +110,18 @@ PreparedSystem prepare_system(Preparation& p, std::uint32_t system,
     if (of == system || (system == 0 && stands_still(p.environment.systems[of])))
       add_object(p, work, o, order);
   }
-  const Partition tree = partition(work, [&](std::uint64_t done, std::uint64_t all) {
-    if (progress && done % 256 == 0) progress(static_cast<double>(done) / all);
-  });
+  const bool by_hand = !p.environment.separation.empty();
+  const Partition tree =
+      by_hand ? whole_items(work) : partition(work, [&](std::uint64_t done, std::uint64_t all) {
+        if (progress && done % 256 == 0) progress(static_cast<double>(done) / all);
+      });
   FaceSetBuilder builder(work, out.set);
   for (const std::vector<std::uint32_t>& leaf : tree.leaves) {
     p.report.pieces += leaf.size();
     builder.add(leaf);
   }
-  out.hierarchy = build_hierarchy(tree, out.set);
+  out.hierarchy = by_hand ? table_hierarchy(p.environment, work, out.set, p.file)
+                          : build_hierarchy(tree, out.set);
   std::vector<Sphere> spheres;
   for (const Item& item : out.set.items) spheres.push_back(item.sphere);
   if (!spheres.empty()) out.sphere = enclosing(spheres);
@@ -116,8 +134,7 @@ PreparedSystem prepare_system(Preparation& p, std::uint32_t system,
   p.report.planes += out.hierarchy.planes.size();
   p.report.groups += out.hierarchy.groups.size();
   p.report.depth = std::max(p.report.depth, depth(out.hierarchy));
-  for (const Group& group : out.hierarchy.groups)
-    p.report.pairs += std::uint64_t{group.member_count} * (group.member_count - 1) / 2;
+  p.report.pairs += pair_count(out.hierarchy);
   return out;
 }
 
@@ -195,9 +212,14 @@ DefaultView sensible_view(const Database& database) {
 Database prepare(const Environment& environment, const PrepareOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::optional<Sun> sun = options.sun ? options.sun : environment.sun;
-  Preparation p{
-      environment, sun.has_value(), towards(sun.value_or(Sun{})), options.contact_tolerance, {},
-      {}};
+  Preparation p{environment,
+                sun.has_value(),
+                towards(sun.value_or(Sun{})),
+                options.contact_tolerance,
+                options.file,
+                {},
+                {}};
+  if (!environment.separation.empty()) check_table(environment, options.file);
   Database database;
   database.name = environment.name;
   database.background = environment.background;

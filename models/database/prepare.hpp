@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "models/database/database.hpp"
 
@@ -18,11 +19,14 @@ struct PrepareOptions {
   /// it; within such an overlap the order of the two is not defined. The default covers coordinates
   /// with six decimals at a thousand units. 0 cuts every overlap.
   double contact_tolerance = 0x1p-28;
+  /// What messages call the scene.
+  std::string file = "the scene";
   /// Called now and then with a share of the work in 0..1.
   std::function<void(double)> progress;
 };
 
-/// Never fails on valid numbers: whatever cannot be used is dropped and counted in the report.
+/// Whatever cannot be used is dropped and counted in the report. Throws InputError only for a
+/// separation table made by hand that does not fit its objects.
 Database prepare(const Environment& environment, const PrepareOptions& options = {});
 
 }  // namespace cigsim

@@ -91,6 +91,21 @@ struct Sun {
   friend bool operator==(const Sun&, const Sun&) = default;
 };
 
+/// Two objects that a separation plane parts, by their numbers.
+struct ObjectPair {
+  std::uint32_t true_object = 0, false_object = 0;
+  friend bool operator==(const ObjectPair&, const ObjectPair&) = default;
+};
+
+/// A separation plane of a table made by hand, with its TRUE/FALSE pairs (Stump 1986, ch. III): a
+/// point p is on the TRUE side where normal . p >= distance. The normal need not be of unit length.
+struct SeparationPlane {
+  Vec3 normal;
+  double distance = 0;
+  std::vector<ObjectPair> pairs;
+  friend bool operator==(const SeparationPlane&, const SeparationPlane&) = default;
+};
+
 struct Environment {
   std::string name;
   std::vector<CoordinateSystem> systems{CoordinateSystem{"environment", {}, {}}};
@@ -100,6 +115,8 @@ struct Environment {
   Colour background{112, 160, 208};
   std::optional<DefaultView> view;
   std::optional<Sun> sun;  ///< none: colours as given
+  /// Priority data made by hand; empty: preparation finds its own.
+  std::vector<SeparationPlane> separation;
   friend bool operator==(const Environment&, const Environment&) = default;
 };
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "models/environment/document_value.hpp"
 #include "models/environment/read.hpp"
@@ -130,6 +132,11 @@ struct Reference {
   std::uint64_t index;
 };
 
+struct PlacedPair {
+  Value value;
+  ObjectPair pair;
+};
+
 class SceneReader {
  public:
   explicit SceneReader(const Document& document) : root_(document, 0) {}
@@ -137,11 +144,12 @@ class SceneReader {
   ReadResult read() {
     root_.require(Kind::object, "the scene");
     check_version();
-    const Members members(
-        root_, "the scene",
-        {"cigsim", "name", "background", "view", "sun", "systems", "models", "objects", "ground"});
+    const Members members(root_, "the scene",
+                          {"cigsim", "name", "background", "view", "sun", "systems", "models",
+                           "objects", "ground", "separation"});
     members.for_each([&](std::string_view key, const Value& value) { member(key, value); });
     check_references();
+    check_pairs();
     if (environment_.objects.empty() && environment_.ground.empty())
       root_.fail("holds no object and no ground; add \"objects\" or \"ground\"");
     if (empty_objects_ > 0) result_.notices.push_back({"objects without faces", empty_objects_});
@@ -167,6 +175,7 @@ class SceneReader {
     if (key == "view") environment_.view = read_view(value);
     if (key == "sun") environment_.sun = read_sun(value);
     if (key == "ground") read_ground(value);
+    if (key == "separation") read_separation(value);
     if (key == "systems")
       value.for_each_element("systems", [&](const Value& v) { read_system(v); });
     if (key == "models")
@@ -188,6 +197,42 @@ class SceneReader {
       face.colour = read_colour(members.get("colour"), "a colour");
       environment_.ground.push_back(std::move(face));
     });
+  }
+
+  void read_separation(const Value& value) {
+    value.for_each_element("the separation", [&](const Value& v) {
+      const Members members(v, "a separation plane", {"normal", "distance", "pairs"});
+      SeparationPlane plane;
+      plane.normal = read_vec3(members.get("normal"), "a normal");
+      if (plane.normal == Vec3{}) v.fail("the normal of a separation plane is zero; correct it");
+      plane.distance = members.get("distance").number("a distance");
+      const Value pairs = members.get("pairs");
+      pairs.for_each_element("pairs", [&](const Value& pair) {
+        plane.pairs.push_back(read_pair(pair));
+        pairs_.push_back({pair, plane.pairs.back()});
+      });
+      if (plane.pairs.empty())
+        pairs.fail(
+            "a separation plane has no pairs; give it [TRUE object, FALSE object] or "
+            "remove it");
+      environment_.separation.push_back(std::move(plane));
+    });
+    if (environment_.separation.empty())
+      value.fail("the separation has no plane; remove \"separation\" to have planes found");
+  }
+
+  static ObjectPair read_pair(const Value& value) {
+    std::uint32_t numbers[2] = {};
+    std::size_t n = 0;
+    value.for_each_element("a pair", [&](const Value& v) {
+      const auto number = static_cast<std::uint32_t>(v.whole("an object's number", kMost));
+      if (n < 2) numbers[n] = number;
+      ++n;
+    });
+    if (n != 2)
+      value.fail("a pair must be [TRUE object, FALSE object], not " + std::to_string(n) +
+                 " numbers");
+    return {numbers[0], numbers[1]};
   }
 
   void read_system(const Value& value) {
@@ -285,12 +330,27 @@ class SceneReader {
                      std::to_string(environment_.models.size()) + ", counted from 0");
   }
 
+  void check_pairs() const {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> met;
+    for (const PlacedPair& p : pairs_) {
+      const auto [a, b] = p.pair;
+      const std::string name = std::to_string(a) + ", " + std::to_string(b);
+      if (a < 1 || b < 1 || std::max(a, b) > environment_.objects.size())
+        p.value.fail("pair " + name + " names an object that is not there; objects are numbered " +
+                     "from 1 to " + std::to_string(environment_.objects.size()));
+      if (a == b) p.value.fail("pair " + name + " is one object; name two");
+      if (!met.insert(std::minmax(a, b)).second)
+        p.value.fail("pair " + name + " stands twice in the separation; keep one of them");
+    }
+  }
+
   static constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
 
   Value root_;
   ReadResult result_;
   Environment& environment_ = result_.environment;
   std::vector<Reference> system_references_, model_references_;
+  std::vector<PlacedPair> pairs_;
   std::uint64_t empty_objects_ = 0;
 };
 

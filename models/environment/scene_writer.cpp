@@ -20,7 +20,8 @@ class SceneWriter {
     const Environment& e = environment_;
     const bool top_models = nested_ ? has_models(0) : !e.models.empty();
     out_.begin_object(3 + e.view.has_value() + e.sun.has_value() + (e.systems.size() > 1) +
-                          top_models + (!nested_ && !e.objects.empty()) + !e.ground.empty(),
+                          top_models + (!nested_ && !e.objects.empty()) + !e.ground.empty() +
+                          !e.separation.empty(),
                       Layout::lines);
     out_.key("cigsim");
     out_.whole(1);
@@ -34,6 +35,7 @@ class SceneWriter {
     if (e.systems.size() > 1) systems();
     if (!nested_ && !e.objects.empty()) all_objects();
     if (!e.ground.empty()) ground();
+    if (!e.separation.empty()) separation();
     out_.end();
   }
 
@@ -240,6 +242,29 @@ class SceneWriter {
       vertices(face.vertices, Layout::one_line);
       out_.key("colour");
       colour(face.colour);
+      out_.end();
+    }
+    out_.end();
+  }
+
+  void separation() {
+    out_.key("separation");
+    out_.begin_array(environment_.separation.size(), Layout::lines);
+    for (const SeparationPlane& plane : environment_.separation) {
+      out_.begin_object(3, Layout::one_line);
+      out_.key("normal");
+      vec3(plane.normal);
+      out_.key("distance");
+      out_.number(plane.distance);
+      out_.key("pairs");
+      out_.begin_array(plane.pairs.size(), Layout::one_line);
+      for (const ObjectPair& pair : plane.pairs) {
+        out_.begin_array(2, Layout::one_line);
+        out_.whole(pair.true_object);
+        out_.whole(pair.false_object);
+        out_.end();
+      }
+      out_.end();
       out_.end();
     }
     out_.end();

@@ -8,19 +8,26 @@
 
 namespace cigsim::priority_processor {
 
-/// `eye_true`: bit n is set when the eyepoint is on the TRUE side of node n's plane.
+/// `eye_true`: bit n is set when the eyepoint is on the TRUE side of node n's plane. `pairs`: those
+/// of the hierarchy.
 inline void order_by_counters(std::span<const SeparationNode> nodes, std::uint64_t eye_true,
-                              std::uint64_t active, GroupOrder& out) {
+                              std::uint64_t active, GroupOrder& out,
+                              std::span<const MemberPair> pairs = {}) {
   std::array<std::uint8_t, kGroupCapacity> counts{};
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const bool eye = (eye_true >> n) & 1;
+    if (nodes[n].pair_count > 0) {
+      for (const auto [t, f] : pairs.subspan(nodes[n].first_pair, nodes[n].pair_count))
+        if ((active >> t & 1) && (active >> f & 1)) ++counts[eye ? f : t];
+      continue;
+    }
     const std::uint64_t near_side = active & (eye ? nodes[n].true_members : nodes[n].false_members);
     const std::uint64_t far_side = active & (eye ? nodes[n].false_members : nodes[n].true_members);
     // Each far member is in one pair with each near member.
-    const auto pairs = static_cast<std::uint8_t>(std::popcount(near_side));
+    const auto nearer = static_cast<std::uint8_t>(std::popcount(near_side));
     for (std::uint64_t rest = far_side; rest != 0; rest &= rest - 1)
       counts[std::countr_zero(rest)] =
-          static_cast<std::uint8_t>(counts[std::countr_zero(rest)] + pairs);
+          static_cast<std::uint8_t>(counts[std::countr_zero(rest)] + nearer);
   }
   list_by_count(active, counts, out);
 }

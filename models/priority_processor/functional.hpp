@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "models/boundary/transactions.hpp"
+#include "models/priority_processor/circuit.hpp"
 #include "models/priority_processor/counters.hpp"
 #include "models/priority_processor/so_matrix.hpp"
 
@@ -30,14 +31,19 @@ class Functional {
  public:
   explicit Functional(Method method) : method_(method) {}
 
-  void compute(const PriorityHierarchy& hierarchy, const ActiveEnvironment& active,
-               const FaceSet& ground, PriorityList& out) {
+  /// `objects`: the set of the hierarchy's items, which names the objects of a fault.
+  void compute(const PriorityHierarchy& hierarchy, const FaceSet& objects,
+               const ActiveEnvironment& active, const FaceSet& ground, PriorityList& out) {
     out.items.clear();
-    out.faults = 0;
+    out.faults.clear();
     order_.resize(active.groups.size());
-    for (std::size_t g = 0; g < active.groups.size(); ++g)
-      order_group(hierarchy, active.groups[g], active.view.eye, order_[g]);
-    for (const GroupOrder& order : order_) out.faults += !order.unique;
+    for (std::size_t g = 0; g < active.groups.size(); ++g) {
+      const ActiveGroup& group = active.groups[g];
+      const std::uint64_t eye_true = order_group(hierarchy, group, active.view.eye, order_[g]);
+      if (!order_[g].unique)
+        out.faults.push_back(
+            listability_fault(hierarchy, objects, group.group, group.active, eye_true));
+    }
     if (active.groups.empty())
       for (const auto& piece : active.moving) out.items.push_back({SetId::kMoving, piece.item});
     else
@@ -47,11 +53,12 @@ class Functional {
   }
 
  private:
-  void order_group(const PriorityHierarchy& hierarchy, const ActiveGroup& active, const Vec3& eye,
-                   GroupOrder& out) const {
+  // Returns the nodes on whose TRUE side the eyepoint is.
+  std::uint64_t order_group(const PriorityHierarchy& hierarchy, const ActiveGroup& active,
+                            const Vec3& eye, GroupOrder& out) const {
     if (std::popcount(active.active) < 2) {  // nothing to order
       list_by_count(active.active, {}, out);
-      return;
+      return 0;
     }
     const Group& group = hierarchy.groups[active.group];
     const std::span<const SeparationNode> nodes(hierarchy.nodes.data() + group.first_node,
@@ -65,9 +72,10 @@ class Functional {
         eye_true |= std::uint64_t{1} << n;
     }
     if (method_ == Method::kCounters)
-      order_by_counters(nodes, eye_true, active.active, out);
+      order_by_counters(nodes, eye_true, active.active, out, hierarchy.pairs);
     else
-      order_by_so_matrix(nodes, eye_true, active.active, out);
+      order_by_so_matrix(nodes, eye_true, active.active, out, hierarchy.pairs);
+    return eye_true;
   }
 
   // Opens the groups in order of priority.

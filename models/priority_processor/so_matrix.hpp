@@ -48,11 +48,26 @@ inline std::array<SeplRow, kGroupCapacity> marked_sepl(std::span<const Separatio
 }
 
 /// A member's count is the number of members that may hide it; a pair without an answer leaves the
-/// counts not unique.
+/// counts not unique. In a table made by hand a pair is asked about the planes that list it, and no
+/// others: what its maker left out, or gave to the wrong plane, must not be mended here.
 inline void order_by_so_matrix(std::span<const SeparationNode> nodes, std::uint64_t eye_true,
-                               std::uint64_t active, GroupOrder& out) {
+                               std::uint64_t active, GroupOrder& out,
+                               std::span<const MemberPair> pairs = {}) {
   const auto rows = marked_sepl(nodes, eye_true);
   std::array<std::uint8_t, kGroupCapacity> counts{};
+  if (!nodes.empty() && nodes[0].pair_count > 0) {
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const std::uint64_t column = std::uint64_t{1} << n;
+      for (const auto [t, f] : pairs.subspan(nodes[n].first_pair, nodes[n].pair_count)) {
+        if (!(active >> t & 1) || !(active >> f & 1)) continue;
+        const Separation so = separating_object({rows[t].r & column, rows[t].s & column},
+                                                {rows[f].r & column, rows[f].s & column});
+        ++counts[so == Separation::kHides ? f : t];
+      }
+    }
+    list_by_count(active, counts, out);
+    return;
+  }
   for (std::uint64_t rest_l = active; rest_l != 0; rest_l &= rest_l - 1) {
     const int l = std::countr_zero(rest_l);
     for (std::uint64_t rest_m = rest_l & (rest_l - 1); rest_m != 0; rest_m &= rest_m - 1) {

@@ -61,7 +61,8 @@ int prepare_command(const Options& options) {
   check(options);
   std::vector<ReadResult> parts;
   for (const std::string& input : options.inputs) parts.push_back(read_environment(input));
-  const Database database = prepare_scene(merge(std::move(parts)), options.preparation);
+  const Database database =
+      prepare_scene(merge(std::move(parts)), options.inputs.front(), options.preparation);
   write_database(database, options.output);
   if (options.json) {
     nlohmann::ordered_json figures = report_to_json(database.report);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "models/database/hierarchy.hpp"
 #include "sim/commands/commands.hpp"
 #include "sim/functional_machine.hpp"
 #include "sim/progress.hpp"
@@ -38,7 +39,7 @@ struct Attribute {
 
 struct DatabaseFigures {
   std::uint64_t items = 0, faces = 0, edges = 0, two_sided = 0, moving = 0, planes = 0, groups = 0,
-                largest_group = 0, largest_planes = 0;
+                pairs = 0, largest_group = 0, largest_planes = 0;
 };
 
 void add_set(const FaceSet& set, DatabaseFigures& figures) {
@@ -57,6 +58,7 @@ DatabaseFigures figures_of(const Database& database) {
     figures.moving += system.motion.empty() ? 0 : 1;
     figures.planes += system.hierarchy.planes.size();
     figures.groups += system.hierarchy.groups.size();
+    figures.pairs += pair_count(system.hierarchy);
     for (const Group& group : system.hierarchy.groups) {
       figures.largest_group = std::max<std::uint64_t>(figures.largest_group, group.member_count);
       figures.largest_planes = std::max<std::uint64_t>(figures.largest_planes, group.node_count);
@@ -97,6 +99,7 @@ std::vector<Figure> scene_rows(const LoadedScene& scene, const DatabaseFigures& 
       {"ground_faces", database.ground.faces.size(), ""},
       {"planes", figures.planes, "separation planes"},
       {"groups", figures.groups, "of the priority hierarchy"},
+      {"pairs", figures.pairs, "TRUE/FALSE pairs over all groups"},
       {"largest_group_members", figures.largest_group, "rows of counters or of the SO matrix"},
       {"largest_group_planes", figures.largest_planes, "side tests of a group"}};
   rows.insert(rows.end(), rest.begin(), rest.end());

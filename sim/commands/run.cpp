@@ -10,6 +10,7 @@
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
 #include "sim/frame_run.hpp"
+#include "sim/listability.hpp"
 #include "sim/machine_options.hpp"
 #include "sim/scene.hpp"
 #include "sim/stats.hpp"
@@ -63,6 +64,7 @@ void print_summary(const RunRecord& run, const std::filesystem::path& folder) {
     fmt::print("Numbers   65535 in ids-NNNN.pgm stands for that number and all above\n");
   for (const Notice& notice : run.database->report.notices)
     fmt::print("Notice    {} x {}\n", notice.count, notice.what);
+  for (const std::string& line : fault_lines(run.frames)) fmt::print("Fault     {}\n", line);
   if (run.frames.empty()) return;
   const auto files = [&](const std::string& first, const std::string& last) {
     return (folder / first).string() + (first == last ? "" : " to " + last);

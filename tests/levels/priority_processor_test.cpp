@@ -325,7 +325,8 @@ TEST(PriorityProcessor, PreparedWorldsAreListedAsWithExactPlanes) {
       const ViewWords view = view_words(active.view, scale, c.machine.formats, overflows);
       if (overflows != 0 || !clear_of_planes(system.hierarchy, active.view.eye, scale)) continue;
       Functional<double> functional(Method::kCounters);
-      functional.compute(system.hierarchy, active, database.ground, lists.emplace_back());
+      functional.compute(system.hierarchy, system.set, active, database.ground,
+                         lists.emplace_back());
       c.filled.emplace_back(*c.memories[0]);
       c.filled.back().fill(active, view, static_cast<std::uint32_t>(database.ground.items.size()));
     }
