@@ -8,11 +8,12 @@
 
 namespace cigsim::priority_processor {
 
-/// `eye_true`: bit n is set when the eyepoint is on the TRUE side of node n's plane. `pairs`: those
-/// of the hierarchy.
-inline void order_by_counters(std::span<const SeparationNode> nodes, std::uint64_t eye_true,
-                              std::uint64_t active, GroupOrder& out,
-                              std::span<const MemberPair> pairs = {}) {
+/// The counters of the active members; zero for the others. `eye_true`: bit n is set when the
+/// eyepoint is on the TRUE side of node n's plane. `pairs`: those of the hierarchy.
+inline std::array<std::uint8_t, kGroupCapacity> counters(std::span<const SeparationNode> nodes,
+                                                         std::uint64_t eye_true,
+                                                         std::uint64_t active,
+                                                         std::span<const MemberPair> pairs = {}) {
   std::array<std::uint8_t, kGroupCapacity> counts{};
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const bool eye = (eye_true >> n) & 1;
@@ -29,7 +30,13 @@ inline void order_by_counters(std::span<const SeparationNode> nodes, std::uint64
       counts[std::countr_zero(rest)] =
           static_cast<std::uint8_t>(counts[std::countr_zero(rest)] + nearer);
   }
-  list_by_count(active, counts, out);
+  return counts;
+}
+
+inline void order_by_counters(std::span<const SeparationNode> nodes, std::uint64_t eye_true,
+                              std::uint64_t active, GroupOrder& out,
+                              std::span<const MemberPair> pairs = {}) {
+  list_by_count(active, counters(nodes, eye_true, active, pairs), out);
 }
 
 }  // namespace cigsim::priority_processor
