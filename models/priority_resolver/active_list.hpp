@@ -38,7 +38,11 @@ class ActiveList {
     const std::uint64_t to = left ? bit : 0, from = bit ^ to;
     const std::uint64_t active = (word.active | (to & ~word.passed)) & ~from;
     const std::uint64_t passed = (word.passed | (from & ~word.active)) & ~to;
-    count_ += static_cast<int>((active & bit) != 0) - static_cast<int>((word.active & bit) != 0);
+    const auto change = [bit](std::uint64_t after, std::uint64_t before) {
+      return static_cast<int>((after & bit) != 0) - static_cast<int>((before & bit) != 0);
+    };
+    count_ += change(active, word.active);
+    open_ += change(active | passed, word.active | word.passed);
     words_[w] = {active, passed};
     std::uint64_t& summary = summary_[w / 64];
     summary = (summary & ~(std::uint64_t{1} << (w % 64))) | std::uint64_t{active != 0} << (w % 64);
@@ -58,9 +62,10 @@ class ActiveList {
   int count() const { return count_; }
   /// The line's end: every inside state is 0.
   void clear() {
+    if (open_ == 0) return;
     std::fill(words_.begin(), words_.end(), Word{});
     std::fill(summary_.begin(), summary_.end(), 0);
-    count_ = 0;
+    count_ = open_ = 0;
   }
 
  private:
@@ -72,6 +77,7 @@ class ActiveList {
   std::vector<std::uint64_t> summary_;  ///< a bit a word that has an active face
   std::size_t size_ = 0;
   int count_ = 0;
+  int open_ = 0;  ///< faces whose inside state is not 0
 };
 
 }  // namespace cigsim::priority_resolver
