@@ -20,15 +20,6 @@ Level parse_level(std::string_view text) {
   fail_on_choice("--level", text, names);
 }
 
-Stage parse_stage(std::string_view text) {
-  std::vector<std::string_view> names;
-  for (const Stage stage : kAllStages) {
-    if (name_of(stage) == text) return stage;
-    names.push_back(name_of(stage));
-  }
-  fail_on_choice("--level", text, names);
-}
-
 bool any_stage_at(Level level) {
   return std::any_of(kAllStages.begin(), kAllStages.end(),
                      [level](Stage stage) { return exists(stage, level); });
@@ -74,6 +65,15 @@ std::string_view name_of(Level level) {
   return "rtl";
 }
 
+Stage parse_stage(std::string_view what, std::string_view text) {
+  std::vector<std::string_view> names;
+  for (const Stage stage : kAllStages) {
+    if (name_of(stage) == text) return stage;
+    names.push_back(name_of(stage));
+  }
+  fail_on_choice(what, text, names);
+}
+
 bool exists(Stage stage, Level level) {
   switch (level) {
     case Level::kFunctional:
@@ -110,7 +110,7 @@ LevelChoice LevelChoice::parse(const std::string& text) {
     if (equals == std::string_view::npos)
       throw UsageError(
           fmt::format("--level: '{}' must be a level, or STAGE=LEVEL with commas", part));
-    const Stage stage = parse_stage(part.substr(0, equals));
+    const Stage stage = parse_stage("--level", part.substr(0, equals));
     const Level level = parse_level(part.substr(equals + 1));
     if (level == Level::kFunctional)
       throw UsageError(

@@ -33,6 +33,9 @@ inline constexpr std::array kAllLevels{Level::kFunctional, Level::kTimed, Level:
 std::string_view name_of(Stage stage);
 std::string_view name_of(Level level);
 
+/// A stage by its name. `what` names the argument in the message. Throws UsageError.
+Stage parse_stage(std::string_view what, std::string_view text);
+
 bool exists(Stage stage, Level level);
 
 /// A level for each stage: all functional, or none.

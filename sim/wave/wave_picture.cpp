@@ -115,6 +115,9 @@ class Drawing {
         "viewBox=\"0 0 {0} {1:.0f}\" role=\"img\" aria-label=\"waves from {2} to {3} ns\">\n",
         options_.width, height_, spaced(ns(wave_.first)), spaced(ns(wave_.last)));
     put("<style>{}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n", kStyle);
+    put("<clipPath id=\"cigsim-window\"><rect x=\"{}\" width=\"{}\" "
+        "height=\"{:.0f}\"/></clipPath>\n",
+        left_, right_ - left_, height_);
     axis();
     double top = kAxis;
     for (const WavePictureRow& row : rows_) {
@@ -161,15 +164,17 @@ class Drawing {
     if (cycles) put("<text class=\"c\" x=\"{}\" y=\"16\">cycle</text>\n", kMargin);
     put("<text class=\"c\" x=\"{}\" y=\"31\">ns</text>\n", kMargin);
     for_lines(step, [&](double t) {
-      const double at = x_of_ns(t);
+      const std::string time = spaced(t);
+      const double half = text_width(time.size(), kText) / 2;
+      const double at = std::min(x_of_ns(t), options_.width - half - 2);
       if (cycles) put("<text class=\"a\" x=\"{:.1f}\" y=\"16\">{}</text>", at, spaced(t / cycle));
-      put("<text class=\"a\" x=\"{:.1f}\" y=\"31\">{}</text>\n", at, spaced(t));
+      put("<text class=\"a\" x=\"{:.1f}\" y=\"31\">{}</text>\n", at, time);
     });
   }
 
   template <class F>
   void for_lines(double step, F&& f) const {
-    const double first = std::ceil(ns(wave_.first) / step - 1e-9);
+    const double first = std::ceil(ns(wave_.first) / step - 1e-9) + 0.0;  // not -0
     for (double n = first; n * step <= ns(wave_.last) * (1 + 1e-12); ++n) f(n * step);
   }
 
@@ -296,21 +301,17 @@ class Drawing {
         [&](double begin, double end) { rectangle("e", begin, end, middle); });
   }
 
+  // Open ends lie outside the window, which cuts them off.
   void box(const Stretch& s, double middle, bool unknown) {
     const double high = middle - kLane / 2, low = middle + kLane / 2;
-    const double slant = std::min(kSlant, (s.end - s.begin) / 2);
-    put("<path class=\"{}\" d=\"", unknown ? "x" : "q");
-    if (s.open_begin)
-      put("M{:.1f} {:.1f}", s.begin, high);
-    else
-      put("M{:.1f} {:.1f}L{:.1f} {:.1f}", s.begin, middle, s.begin + slant, high);
-    if (s.open_end)
-      put("H{0:.1f}M{0:.1f} {1:.1f}", s.end, low);
-    else
-      put("H{:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}", s.end - slant, s.end, middle, s.end - slant, low);
-    put("H{:.1f}", s.begin + (s.open_begin ? 0 : slant));
-    if (!s.open_begin) put("L{:.1f} {:.1f}", s.begin, middle);
-    out_ += "\"/>\n";
+    const double begin = s.open_begin ? s.begin - 2 * kSlant : s.begin;
+    const double end = s.open_end ? s.end + 2 * kSlant : s.end;
+    const double slant = std::min(kSlant, (end - begin) / 2);
+    put("<path class=\"{}\" clip-path=\"url(#cigsim-window)\" d=\"M{:.1f} {:.1f}L{:.1f} "
+        "{:.1f}H{:.1f}"
+        "L{:.1f} {:.1f}L{:.1f} {:.1f}H{:.1f}Z\"/>\n",
+        unknown ? "x" : "q", begin, middle, begin + slant, high, end - slant, end, middle,
+        end - slant, low, begin + slant);
   }
 
   void box_text(const Stretch& s, double middle, const std::string& text, bool unknown) {

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "sim/wave/recording.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <streambuf>
+#include <vector>
+
+#include "models/environment/input_error.hpp"
+#include "models/environment/text_file.hpp"
+#include "models/environment/write.hpp"
+#include "sim/wave/embedded_views.hpp"
+#include "sim/wave/programs.hpp"
+
+namespace cigsim {
+namespace {
+
+// Into a pipe.
+class PipeBuffer : public std::streambuf {
+ public:
+  explicit PipeBuffer(std::FILE* file) : file_(file) {}
+
+ protected:
+  int_type overflow(int_type c) override {
+    return traits_type::eq_int_type(c, traits_type::eof()) ? 0 : std::fputc(c, file_);
+  }
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    return static_cast<std::streamsize>(
+        std::fwrite(text, 1, static_cast<std::size_t>(size), file_));
+  }
+
+ private:
+  std::FILE* file_;
+};
+
+// A file that is removed unless it was renamed.
+struct Part {
+  std::filesystem::path file;
+  ~Part() {
+    std::error_code error;
+    std::filesystem::remove(file, error);
+  }
+};
+
+void write_packed(const std::filesystem::path& file,
+                  const std::function<void(std::ostream&)>& record) {
+  std::signal(SIGPIPE, SIG_IGN);  // a program that ended early is an error of writing
+  const Part part{fmt::format("{}.{}.part", file.string(), ::getpid())};
+  write_file(part.file, "");  // finds out now whether the folder can be written to
+  Pipe pipe({"vcd2fst", "-v", "-", "-f", part.file.string()}, Pipe::End::kWrites);
+  PipeBuffer buffer(pipe.file());
+  std::ostream out(&buffer);
+  record(out);
+  std::error_code error;
+  const bool complete = pipe.finish() && out.good();
+  if (complete) std::filesystem::rename(part.file, file, error);
+  if (!complete || error)
+    throw InputError(file.string(), 0,
+                     "cannot be written by vcd2fst; check the disk, or take .vcd");
+}
+
+std::string_view view_of(Stage stage) {
+  switch (stage) {
+    case Stage::kPriorityProcessor:
+      return embedded_priority_processor();
+    case Stage::kGeometryProcessor:
+      return embedded_geometry_processor();
+    case Stage::kEdgeOrderer:
+      return embedded_edge_orderer();
+    case Stage::kPriorityResolver:
+      return embedded_priority_resolver();
+    case Stage::kVideoProcessor:
+      return embedded_video_processor();
+    case Stage::kFrameCalculator:
+      break;
+  }
+  return {};
+}
+
+// The stages' views one below the other, the clock once, under the name of the file.
+std::string saved_view(const WaveRequest& request) {
+  constexpr std::string_view kClock = "@28\ncigsim.clock\n";
+  std::string text = fmt::format("[dumpfile] \"{}\"\n[timestart] 0\n{}",
+                                 std::filesystem::absolute(request.file).string(), kClock);
+  for (const Stage stage : request.stages) {
+    std::string_view view = view_of(stage);
+    const std::size_t clock = view.find(kClock);
+    if (clock != std::string_view::npos) view.remove_prefix(clock + kClock.size());
+    text += view;
+  }
+  return text;
+}
+
+// For a shell: as it is, or in quotes.
+std::string word(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+void write_wave(const WaveRequest& request, const std::function<void(std::ostream&)>& record) {
+  if (lower_ending(request.file) == "fst")
+    write_packed(request.file, record);
+  else
+    write_file(request.file, record);
+  write_file(view_file(request), saved_view(request));
+}
+
+std::string view_file(const WaveRequest& request) {
+  return std::filesystem::path(request.file).replace_extension(".gtkw").string();
+}
+
+std::string view_command(const WaveRequest& request) {
+  return fmt::format("gtkwave {} {}", word(request.file), word(view_file(request)));
+}
+
+}  // namespace cigsim

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "sim/wave/vcd_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+
+namespace cigsim {
+namespace {
+
+constexpr int kReal = 64;
+
+// Short names of characters from ! to ~, the first ones the shortest.
+std::string code_of(std::size_t index) {
+  constexpr std::size_t kCharacters = '~' - '!' + 1;
+  std::string code;
+  for (++index; index > 0; index /= kCharacters) {
+    --index;
+    code += static_cast<char>('!' + index % kCharacters);
+  }
+  return code;
+}
+
+std::vector<std::string_view> scopes_of(std::string_view name) {
+  std::vector<std::string_view> scopes;
+  for (std::size_t dot; (dot = name.find('.')) != std::string_view::npos;) {
+    scopes.push_back(name.substr(0, dot));
+    name.remove_prefix(dot + 1);
+  }
+  return scopes;
+}
+
+std::string unit_text(double ns) { return ns >= 1 ? "1 ns" : fmt::format("{:.0f} ps", ns * 1000); }
+
+}  // namespace
+
+VcdWriter::VcdWriter(std::ostream& out, double cycle_ns, const std::string& clock)
+    : out_(out), clock_(clock), clock_code_(code_of(0)) {
+  for (const double unit : {1.0, 0.1, 0.01, 0.001}) {
+    unit_ns_ = unit;
+    half_cycle_ = cycle_ns / 2 / unit;
+    if (std::abs(half_cycle_ - std::round(half_cycle_)) < 1e-9 * half_cycle_) break;
+  }
+}
+
+template <class T>
+std::uint64_t VcdWriter::read(const void* object) {
+  const T value = *static_cast<const T*>(object);
+  if constexpr (std::is_floating_point_v<T>) {
+    const double real = value;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &real, sizeof bits);
+    return bits;
+  } else {
+    return static_cast<std::uint64_t>(value);
+  }
+}
+
+template <class T>
+void VcdWriter::add(const T& object, const std::string& name, int width) {
+  values_.push_back({name, "", &object, read<T>, width, std::is_floating_point_v<T>});
+}
+
+void VcdWriter::refuse(const std::string& name) {
+  throw std::logic_error(name + ": waves show bits and numbers only");
+}
+
+void VcdWriter::declare() {
+  // Scope by scope, so that none is opened twice.
+  std::stable_sort(values_.begin(), values_.end(), [](const Value& a, const Value& b) {
+    return scopes_of(a.name) < scopes_of(b.name);
+  });
+  out_ << "$version cigsim $end\n$comment one sample a cycle $end\n$timescale "
+       << unit_text(unit_ns_) << " $end\n";
+  std::vector<std::string_view> open;
+  const auto declare = [&](std::string_view name, const char* type, int width,
+                           const std::string& code) {
+    const std::vector<std::string_view> scopes = scopes_of(name);
+    const auto same = static_cast<std::size_t>(
+        std::mismatch(open.begin(), open.end(), scopes.begin(), scopes.end()).first - open.begin());
+    for (; open.size() > same; open.pop_back()) out_ << "$upscope $end\n";
+    for (; open.size() < scopes.size(); open.push_back(scopes[open.size()]))
+      out_ << "$scope module " << scopes[open.size()] << " $end\n";
+    out_ << "$var " << type << ' ' << width << ' ' << code << ' '
+         << name.substr(name.rfind('.') + 1);
+    if (width > 1 && *type == 'w') out_ << " [" << width - 1 << ":0]";
+    out_ << " $end\n";
+  };
+  declare(clock_, "wire", 1, clock_code_);
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    Value& value = values_[i];
+    value.code = code_of(i + 1);
+    declare(value.name, value.real ? "real" : "wire", value.width, value.code);
+  }
+  for (; !open.empty(); open.pop_back()) out_ << "$upscope $end\n";
+  out_ << "$enddefinitions $end\n";
+}
+
+void VcdWriter::begin_time(double half_cycles) {
+  out_ << '#' << static_cast<std::uint64_t>(std::llround(half_cycles * half_cycle_)) << '\n';
+}
+
+void VcdWriter::put(const Value& value, std::uint64_t bits) {
+  if (value.real) {
+    double real = 0;
+    std::memcpy(&real, &bits, sizeof real);
+    out_ << fmt::format("r{} {}\n", real, value.code);
+    return;
+  }
+  if (value.width < 64) bits &= (std::uint64_t{1} << value.width) - 1;
+  if (value.width == 1)
+    out_ << (bits != 0 ? '1' : '0') << value.code << '\n';
+  else
+    out_ << fmt::format("b{:b} {}\n", bits, value.code);
+}
+
+void VcdWriter::sample(Cycle n) {
+  const double begin = 2 * static_cast<double>(n);
+  begin_time(begin);
+  if (first_) out_ << "$dumpvars\n";
+  put_clock(true);
+  for (Value& value : values_) {
+    const std::uint64_t bits = value.read(value.object);
+    if (bits == value.last && !first_) continue;
+    put(value, bits);
+    value.last = bits;
+  }
+  if (first_) out_ << "$end\n";
+  first_ = false;
+  begin_time(begin + 1);
+  put_clock(false);
+}
+
+void VcdWriter::end(Cycle n) { begin_time(2 * static_cast<double>(n)); }
+
+void VcdWriter::trace(const bool& object, const std::string& name) { add(object, name, 1); }
+void VcdWriter::trace(const unsigned char& object, const std::string& name, int width) {
+  add(object, name, width);
+}
+void VcdWriter::trace(const unsigned short& object, const std::string& name, int width) {
+  add(object, name, width);
+}
+void VcdWriter::trace(const unsigned int& object, const std::string& name, int width) {
+  add(object, name, width);
+}
+void VcdWriter::trace(const unsigned long& object, const std::string& name, int width) {
+  add(object, name, width);
+}
+void VcdWriter::trace(const char& object, const std::string& name, int width) {
+  add(object, name, width);
+}
+void VcdWriter::trace(const short& object, const std::string& name, int width) {
+  add(object, name, width);
+}
+void VcdWriter::trace(const int& object, const std::string& name, int width) {
+  add(object, name, width);
+}
+void VcdWriter::trace(const long& object, const std::string& name, int width) {
+  add(object, name, width);
+}
+void VcdWriter::trace(const sc_dt::int64& object, const std::string& name, int width) {
+  add(object, name, width);
+}
+void VcdWriter::trace(const sc_dt::uint64& object, const std::string& name, int width) {
+  add(object, name, width);
+}
+void VcdWriter::trace(const float& object, const std::string& name) { add(object, name, kReal); }
+void VcdWriter::trace(const double& object, const std::string& name) { add(object, name, kReal); }
+
+void VcdWriter::trace(const sc_core::sc_event&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_core::sc_time&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_bit&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_logic&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_int_base&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_uint_base&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_signed&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_unsigned&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_fxval&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_fxval_fast&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_fxnum&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_fxnum_fast&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_bv_base&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const sc_dt::sc_lv_base&, const std::string& name) { refuse(name); }
+void VcdWriter::trace(const unsigned int&, const std::string& name, const char**) { refuse(name); }
+
+}  // namespace cigsim
