@@ -149,6 +149,69 @@ TEST_F(DatabaseFile, SixtyFourMembersKeepAllBitsOfTheirMasks) {
   }
 }
 
+// Four items in one group with the pairs of two planes.
+Database table_database() {
+  Database database = small_database();
+  database.systems.pop_back();
+  PreparedSystem& world = database.systems[0];
+  add_triangle(world.set, 1, {0, 0, 9}, {1, 0, 9}, {0, 1, 9});
+  PriorityHierarchy& h = world.hierarchy;
+  h.nodes = {{1, 0, 0, 0b0101, 0b1000, 0, 2}, {0, 0, 0, 0b0001, 0b0010, 2, 1}};
+  h.pairs = {{0, 3}, {2, 3}, {0, 1}};
+  h.members.clear();
+  for (std::uint32_t i = 0; i < 4; ++i) h.members.push_back({false, i, {{0, 0, 0}, 1}});
+  h.groups = {{0, 4, 0, 2}};
+  return database;
+}
+
+TEST_F(DatabaseFile, TablesMadeByHandComeBackExactly) {
+  const PriorityHierarchy want = table_database().systems[0].hierarchy;
+  for (const char* name : {"a.json", "a.cbor"}) {
+    write_database(table_database(), folder_ / name);
+    const PriorityHierarchy h = read_database(folder_ / name).systems[0].hierarchy;
+    ASSERT_EQ(h.nodes.size(), 2u);
+    for (std::size_t n = 0; n < 2; ++n) {
+      EXPECT_EQ(h.nodes[n].first_pair, want.nodes[n].first_pair);
+      EXPECT_EQ(h.nodes[n].pair_count, want.nodes[n].pair_count);
+      EXPECT_EQ(h.nodes[n].true_members, want.nodes[n].true_members);
+    }
+    ASSERT_EQ(h.pairs.size(), 3u);
+    for (std::size_t p = 0; p < 3; ++p) {
+      EXPECT_EQ(h.pairs[p].true_member, want.pairs[p].true_member);
+      EXPECT_EQ(h.pairs[p].false_member, want.pairs[p].false_member);
+    }
+  }
+}
+
+TEST_F(DatabaseFile, EveryDamageOfATableMadeByHandIsRefused) {
+  write_database(table_database(), folder_ / "good.json");
+  const Json good = Json::parse(bytes_of(folder_ / "good.json"));
+  const auto tree = [](Json& j) -> Json& { return j["systems"][0]["hierarchy"]; };
+  const std::vector<std::pair<const char*, std::function<void(Json&)>>> damages{
+      {"pairs left out", [&](Json& j) { tree(j).erase("pairs"); }},
+      {"no pairs", [&](Json& j) { tree(j)["pairs"].clear(); }},
+      {"pair cut short", [&](Json& j) { tree(j)["pairs"].erase(0); }},
+      {"pair of no node", [&](Json& j) { tree(j)["pairs"][6] = 2; }},
+      {"nodes not ascending", [&](Json& j) { tree(j)["pairs"][0] = 1; }},
+      {"member out of range", [&](Json& j) { tree(j)["pairs"][1] = 4; }},
+      {"member beyond 8 bits", [&](Json& j) { tree(j)["pairs"][1] = 256; }},
+      {"pair of one member", [&](Json& j) { tree(j)["pairs"][1] = 3; }},
+      {"pair turned round", [&](Json& j) { std::swap(tree(j)["pairs"][7], tree(j)["pairs"][8]); }},
+      {"pair twice", [&](Json& j) { tree(j)["pairs"][4] = 0; }},
+      {"wrong mask", [&](Json& j) { tree(j)["nodes"][3] = 1; }},
+      {"wrong false mask", [&](Json& j) { tree(j)["nodes"][4] = 0b1010; }},
+      {"node without a plane", [&](Json& j) { tree(j)["nodes"][0] = 2; }},
+      {"a node less", [&](Json& j) { tree(j)["groups"][3] = 1; }},
+      {"a member less", [&](Json& j) { tree(j)["groups"][1] = 3; }},
+      {"a moving system", [](Json& j) { j["systems"].push_back(j["systems"][0]); }}};
+  for (const auto& [what, damage] : damages) {
+    Json bad = good;
+    damage(bad);
+    ASSERT_NE(bad, good) << what;
+    EXPECT_THROW(read_database(put("bad.json", bad.dump())), InputError) << what;
+  }
+}
+
 TEST_F(DatabaseFile, ScenesAndOtherFilesAreNoDatabases) {
   EXPECT_FALSE(is_database(folder_ / "absent.json"));
   EXPECT_FALSE(is_database(put("scene.json", R"({"cigsim": 1, "name": "cigsim-database"})")));

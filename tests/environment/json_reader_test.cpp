@@ -152,6 +152,40 @@ TEST(JsonReader, FaultsOfReferencesAreNamedWithTheirLine) {
             "s.json:3: there is no system 1; the last is 0 (0 is the environment itself)");
 }
 
+TEST(JsonReader, ASeparationTableIsRead) {
+  const Environment e = parse_json(with(" \"ground\"", R"( "separation": [
+  {"normal": [0, 0.5, -1], "distance": -2.5, "pairs": [[2, 1]]}],
+ "ground")"),
+                                   "s.json")
+                            .environment;
+  const std::vector<SeparationPlane> want{{{0, 0.5, -1}, -2.5, {{2, 1}}}};
+  EXPECT_EQ(e.separation, want);
+  EXPECT_TRUE(parse_json(kScene, "s.json").environment.separation.empty());
+}
+
+TEST(JsonReader, FaultsOfASeparationTableAreNamedWithTheirLine) {
+  const auto fault = [](const std::string& table) {
+    return error_of(with(" \"ground\"", " \"separation\":\n" + table + ",\n \"ground\""));
+  };
+  const std::string plane = "[{\"normal\": [1, 0, 0], \"distance\": 0,\n \"pairs\": ";
+  const std::vector<std::pair<std::string, std::string>> faults{
+      {"[]", "s.json:23: the separation has no plane"},
+      {"[{\"normal\": [0, 0, 0], \"distance\": 0, \"pairs\": [[1, 2]]}]",
+       "s.json:23: the normal of a separation plane is zero"},
+      {"[{\"distance\": 0, \"pairs\": [[1, 2]]}]", "s.json:23: key \"normal\" is missing"},
+      {"[{\"normal\": [1, 0, 0], \"pairs\": [[1, 2]]}]", "s.json:23: key \"distance\" is missing"},
+      {plane + "[]}]", "s.json:24: a separation plane has no pairs"},
+      {plane + "[[1]]}]", "s.json:24: a pair must be [TRUE object, FALSE object], not 1"},
+      {plane + "[[1, 2, 1]]}]", "s.json:24: a pair must be [TRUE object, FALSE object], not 3"},
+      {plane + "[[1, -2]]}]", "s.json:24: an object's number must be a whole number"},
+      {plane + "[[1, 0]]}]", "s.json:24: pair 1, 0 names an object that is not there"},
+      {plane + "[[1, 3]]}]", "s.json:24: pair 1, 3 names an object that is not there"},
+      {plane + "[[2, 2]]}]", "s.json:24: pair 2, 2 is one object"},
+      {plane + "[[1, 2],\n[2, 1]]}]", "s.json:25: pair 2, 1 stands twice"}};
+  for (const auto& [table, message] : faults)
+    EXPECT_EQ(fault(table).substr(0, message.size()), message) << table;
+}
+
 TEST(JsonReader, WhatIsNoJsonIsNamedWithItsLine) {
   EXPECT_EQ(error_of("{\n\"cigsim\": 1,\n}").substr(0, 24), "s.json:3: not valid JSON");
   EXPECT_EQ(error_of("{\"cigsim\": 1,\n\"sun\": {\"azimuth\": NaN}}").substr(0, 24),

@@ -36,6 +36,7 @@ Environment rich(bool in_order) {
                {"faceless", 3, {}, {}}};
   if (!in_order) std::swap(e.objects[0], e.objects[2]);
   e.ground = {{{{-1, -1, 0}, {1, -1, 0}, {0, awkward, 0}}, {3, 4, 5}}};
+  e.separation = {{{awkward, 0, -1}, -awkward, {{1, 2}}}, {{0, 1, 0}, 0, {{4, 1}, {3, 2}}}};
   return e;
 }
 

@@ -54,6 +54,23 @@ TEST_F(CommandTest, StatsHaveTheFieldsThatScriptsRelyOn) {
     EXPECT_GE(frame["stages"][stage], 0) << stage;
 }
 
+TEST_F(CommandTest, AListabilityFaultIsNamedAndThePictureMade) {
+  const std::string scene = CIGSIM_SOURCE_DIR "/scenes/stump-not-listable.json";
+  const Outcome outcome = cigsim({"run", scene, "--raster", "32x32"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Decisions 1 listability faults"), std::string::npos);
+  EXPECT_NE(outcome.out.find("Fault     objects 2 -> 3 -> 4 -> 2"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/frame-0000.png"));
+  const Json frame = Json::parse(contents("out/stats.json"))["frames"][0];
+  EXPECT_EQ(frame["faults"], 1);
+  EXPECT_EQ(frame["listability"],
+            Json::parse(R"([{"group": 0, "objects": [1, 2, 3, 4], "circuit": [2, 3, 4],
+                             "unresolved": []}])"));
+
+  const Outcome measured = cigsim({"requirements", scene, "--raster", "32x32", "--json"});
+  EXPECT_EQ(Json::parse(measured.out)["database"]["pairs"], 6);
+}
+
 TEST_F(CommandTest, JsonPutsTheFiguresOnStandardOutput) {
   const Outcome outcome = cigsim({"run", "--raster", "8x8", "--json"});
   ASSERT_EQ(outcome.exit_code, 0);

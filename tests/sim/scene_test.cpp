@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/arguments.hpp"
+
 namespace cigsim {
 namespace {
 
@@ -16,6 +18,14 @@ ReadResult part(const std::string& name, bool moving) {
   e.ground = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {1, 2, 3}}};
   result.notices = {{"dropped", 2}, {name, 1}};
   return result;
+}
+
+TEST(Scene, ASeparationTableIsNotMerged) {
+  std::vector<ReadResult> parts{part("one", false), part("two", false)};
+  parts[1].environment.separation = {{{1, 0, 0}, 0, {{1, 2}}}};
+  EXPECT_THROW(merge(parts), UsageError);
+  parts.erase(parts.begin());
+  EXPECT_EQ(merge(parts).environment.separation.size(), 1u);
 }
 
 TEST(Scene, MergingKeepsOrderAndReferences) {
