@@ -30,6 +30,7 @@ class Clocked : public sc_core::sc_module {
   PinIn<FrameWord> start{"start"};
   PinOut<ItemWord> items{"items"};
 
+  /// Pins and registers; call it when the pins are bound and elaboration is done.
   void trace(sc_core::sc_trace_file* file) const;
 
   /// The members' counters as they stand, those of the group that was ordered last.

@@ -12,6 +12,7 @@
 #include "models/priority_processor/functional.hpp"
 #include "tests/levels/priority_bench.hpp"
 #include "tests/support/fresh_simulation.hpp"
+#include "tests/support/scratch.hpp"
 #include "tests/support/viewpoints.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -502,6 +503,24 @@ TEST(PriorityProcessor, TheExampleOfTheManualTakesTheCyclesThatItSays) {
     EXPECT_EQ(bench.history[2].pushed - start, 44);
     EXPECT_EQ(bench.figures[0].activity, (Activity{1, 45, 0, 0}));
   }
+}
+
+TEST(PriorityProcessor, WavesHaveThePinsAndTheMicroprogramsAddress) {
+  test::fresh_simulation();
+  const test::Scratch scratch;
+  const std::string file = scratch.path("wave").string();
+  Clock clock("clock", 125);
+  const PriorityCase c = table_case(2, {{kX, {10, 0, 0}, {{1, 0}}}}, {});
+  std::deque<PriorityBench> benches;
+  benches.emplace_back(c, PriorityBench::kClocked, clock);
+  sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  sc_core::sc_trace_file* trace = sc_core::sc_create_vcd_trace_file(file.c_str());
+  benches[0].clocked->trace(trace);
+  test::run_benches(clock, benches, 1000);
+  sc_core::sc_close_vcd_trace_file(trace);
+  const std::string wave = test::bytes_of(file + ".vcd");
+  for (const char* name : {"items_valid", "items_word", "start_ready", "microaddress", "bar"})
+    EXPECT_NE(wave.find(name), std::string::npos) << name;
 }
 
 TEST(PriorityMemory, RefusesWhatExceedsTheMachine) {
