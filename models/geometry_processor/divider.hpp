@@ -65,7 +65,7 @@ class Divider {
   }
   void begin(bool negative, std::uint64_t value, int clocks) {
     result_ = negative ? -static_cast<std::int64_t>(value) : static_cast<std::int64_t>(value);
-    left_ = clocks + 1;  // the clock of the beginning itself
+    left_ = clocks;
   }
 
   WordFormats formats_;
