@@ -134,7 +134,7 @@ class DocumentBuilder {
 
   bool open(Kind kind) {
     if (open_.size() == kDeepest)
-      fail("is nested more than " + std::to_string(kDeepest) + " deep; this is no scene");
+      fail("is nested more than " + std::to_string(kDeepest) + " deep; nothing of ours is");
     open_.push_back(document_.entries_.size());
     return add(kind);
   }
