@@ -63,29 +63,30 @@ PlaneWords plane_words(const Plane& plane, int scale, const WordFormats& formats
   const double length = std::sqrt(x * x + y * y + z * z);
   const double normal[3] = {x, y, z};
   const double point[3] = {plane.exact.p.x, plane.exact.p.y, plane.exact.p.z};
+  constexpr double kLimit = 0x1p62;
   // The whole and the broken part of each coordinate apart: products of the former are exact.
-  Accumulator whole = 0;
+  std::uint64_t whole = 0;  // each product may wrap; modulo 2^64 the sum comes out right
   double broken = 0, estimate = 0;
+  bool near = true;
   for (int i = 0; i < 3; ++i) {
     words.normal[i] = direction_word(normal[i] / length, formats);
-    estimate += words.normal[i] * std::ldexp(point[i], scale);
-  }
-  constexpr double kLimit = 0x1p62;
-  if (std::abs(estimate) >= kLimit) {
-    words.distance = static_cast<Accumulator>(std::copysign(kLimit, estimate));
-    return words;
-  }
-  for (int i = 0; i < 3; ++i) {
+    if (words.normal[i] == 0) continue;
     const double scaled = std::ldexp(point[i], scale);
     const double down = std::floor(scaled);
-    // Each product may wrap; the sum does not, and modulo 2^64 it comes out right.
-    whole =
-        static_cast<Accumulator>(static_cast<std::uint64_t>(whole) +
-                                 static_cast<std::uint64_t>(words.normal[i]) *
-                                     static_cast<std::uint64_t>(static_cast<Accumulator>(down)));
+    estimate += words.normal[i] * scaled;
     broken += words.normal[i] * (scaled - down);
+    if (std::abs(down) < kLimit)
+      whole += static_cast<std::uint64_t>(words.normal[i]) *
+               static_cast<std::uint64_t>(static_cast<Accumulator>(down));
+    else
+      near = false;
   }
-  words.distance = whole + static_cast<Accumulator>(std::floor(broken + 0.5));
+  const auto rest = static_cast<std::uint64_t>(static_cast<Accumulator>(std::floor(broken + 0.5)));
+  const bool exact = near && std::abs(estimate) < kLimit;
+  words.distance =
+      static_cast<Accumulator>(exact ? whole + rest
+                                     : static_cast<std::uint64_t>(static_cast<Accumulator>(
+                                           std::clamp(estimate, -kLimit, kLimit))));
   return words;
 }
 

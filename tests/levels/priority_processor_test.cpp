@@ -578,6 +578,11 @@ TEST(PriorityMemory, PlanesFarOutsideSaturateAndZeroNormalsAreTrue) {
   const WordFormats formats;
   EXPECT_EQ(plane_words(axis_plane(0, 1e30), 0, formats).distance, Accumulator{1} << 62);
   EXPECT_EQ(plane_words(axis_plane(0, -1e30), 0, formats).distance, -(Accumulator{1} << 62));
+  EXPECT_EQ(plane_words(plane_with_normal({5, 1e30, -1e30}, {2, 0, 0}), 0, formats).distance,
+            Accumulator{5} << 30);
+  EXPECT_EQ(
+      std::abs(plane_words(plane_with_normal({1e30, 1e30, 0}, {1, -1, 0}), 0, formats).distance),
+      0);
   const PlaneWords none = plane_words(make_plane({}), 0, formats);
   EXPECT_EQ(none.normal[0] | none.normal[1] | none.normal[2], 0);
   EXPECT_EQ(none.distance, 0);
