@@ -17,6 +17,7 @@ TEST_F(CommandTest, HelpAndVersionSucceed) {
                              {"requirements", "--help"},
                              {"generate", "--help"},
                              {"machines", "--help"},
+                             {"wave-picture", "--help"},
                              {"assemble", "--help"}}) {
     const Outcome outcome = cigsim(words);
     EXPECT_EQ(outcome.exit_code, 0);
@@ -31,7 +32,7 @@ TEST_F(CommandTest, HelpAndVersionSucceed) {
 
 TEST_F(CommandTest, HelpLinesFitAScreen) {
   for (const char* command :
-       {"run", "prepare", "requirements", "generate", "machines", "assemble"}) {
+       {"run", "prepare", "requirements", "generate", "machines", "assemble", "wave-picture"}) {
     std::istringstream help(cigsim({command, "--help"}).out);
     for (std::string line; std::getline(help, line);) EXPECT_LE(line.size(), 100u) << line;
   }
