@@ -150,7 +150,7 @@ void add_wave_picture(CLI::App& program, int& exit_code) {
       program.add_subcommand("wave-picture", "Draw a window of a wave file as an SVG picture");
   command->footer(
       "Examples:\n"
-      "  cigsim wave-picture wave.vcd --view wave.vcd.gtkw --from 1000 --to 5000 -o wave.svg\n"
+      "  cigsim wave-picture wave.vcd --view wave.gtkw --from 1000 --to 5000 -o wave.svg\n"
       "  cigsim wave-picture wave.fst --cycles --from 80 --to 120 -o wave.svg \\\n"
       "      --signal clock --signal priority_resolver.at=dec\n");
   Options& o = *options;
