@@ -10,6 +10,7 @@
 #include "models/frame_calculator/functional.hpp"
 #include "models/machine/scale.hpp"
 #include "models/priority_processor/functional.hpp"
+#include "models/priority_processor/named_faults.hpp"
 #include "tests/levels/priority_bench.hpp"
 #include "tests/support/fresh_simulation.hpp"
 #include "tests/support/scratch.hpp"
@@ -362,9 +363,8 @@ struct TablePlane {
   std::vector<MemberPair> pairs;  ///< objects from 0
 };
 
-/// Objects 0 to n - 1 in one group with hand-written pairs, seen from `eye`.
-PriorityCase table_case(std::uint32_t objects, const std::vector<TablePlane>& planes,
-                        const Vec3& eye) {
+/// Objects 0 to n - 1 in one group with hand-written pairs.
+PriorityHierarchy table_hierarchy(std::uint32_t objects, const std::vector<TablePlane>& planes) {
   PriorityHierarchy h;
   h.groups.push_back({0, objects, 0, static_cast<std::uint32_t>(planes.size())});
   for (std::uint32_t m = 0; m < objects; ++m) h.members.push_back({false, m, {}});
@@ -377,14 +377,22 @@ PriorityCase table_case(std::uint32_t objects, const std::vector<TablePlane>& pl
     h.pairs.insert(h.pairs.end(), plane.pairs.begin(), plane.pairs.end());
     h.nodes.push_back(node);
   }
-  constexpr int kScale = 20;
+  return h;
+}
+
+constexpr int kTableScale = 20;
+
+/// The same, seen from `eye`.
+PriorityCase table_case(std::uint32_t objects, const std::vector<TablePlane>& planes,
+                        const Vec3& eye) {
+  const PriorityHierarchy h = table_hierarchy(objects, planes);
   PriorityCase c;
-  c.memories.push_back(std::make_unique<PriorityMemory>(h, objects, kScale, c.machine));
+  c.memories.push_back(std::make_unique<PriorityMemory>(h, objects, kTableScale, c.machine));
   ActiveEnvironment active;
   active.groups.push_back({0, (std::uint64_t{1} << objects) - 1, 1});
   c.filled.assign(2, PriorityBank(*c.memories[0]));
   for (PriorityBank& bank : c.filled)
-    bank.fill(active, eye_words(eye, kScale, c.machine.formats), 0);
+    bank.fill(active, eye_words(eye, kTableScale, c.machine.formats), 0);
   c.frames = 1;
   return c;
 }
@@ -421,14 +429,16 @@ std::vector<TableResult> run_tables(const std::deque<PriorityCase>& cases, std::
 constexpr std::uint8_t A = 0, B = 1, C = 2, D = 3;
 constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0};
 
+/// Stump's Fig. 7, as far as its table goes.
+const std::vector<TablePlane> kFig7{{kX, {10, 0, 0}, {{C, B}, {D, A}}},
+                                    {kY, {0, 10, 0}, {{B, D}, {C, A}}},
+                                    {{0, 0, 1}, {0, 0, 10}, {{B, A}, {D, C}}}};
+
 // The eye at the origin is FALSE on planes whose normals point away from it.
 TEST(StumpThroughTheMicroprogram, Fig7CountsAfterEachPlaneAndItsFault) {
-  const std::vector<TablePlane> planes{{kX, {10, 0, 0}, {{C, B}, {D, A}}},
-                                       {kY, {0, 10, 0}, {{B, D}, {C, A}}},
-                                       {{0, 0, 1}, {0, 0, 10}, {{B, A}, {D, C}}}};
   std::deque<PriorityCase> cases;
   for (std::size_t n = 1; n <= 3; ++n)
-    cases.push_back(table_case(4, {planes.begin(), planes.begin() + static_cast<long>(n)}, {}));
+    cases.push_back(table_case(4, {kFig7.begin(), kFig7.begin() + static_cast<long>(n)}, {}));
   const std::vector<TablePlane> reassigned{{kX, {10, 0, 0}, {{C, A}, {C, B}}},
                                            {kY, {0, 10, 0}, {{D, A}, {D, B}}},
                                            {{0, 0, 1}, {0, 0, 10}, {{B, A}, {D, C}}}};
@@ -438,6 +448,24 @@ TEST(StumpThroughTheMicroprogram, Fig7CountsAfterEachPlaneAndItsFault) {
   EXPECT_EQ(results[1], (TableResult{"0121", "0132", true}));
   EXPECT_EQ(results[2], (TableResult{"0222", "0123", true}));
   EXPECT_EQ(results[3], (TableResult{"0123", "0123", false}));
+}
+
+TEST(StumpThroughTheMicroprogram, Fig7sFaultIsNamedByItsCircuit) {
+  const PriorityCase c = table_case(4, kFig7, {});
+  std::vector<ItemWord> items;
+  Figures figures;
+  FunctionalWords(0).compute(c.filled[0], items, figures);
+  FaceSet objects;
+  for (std::uint32_t m = 0; m < 4; ++m) {
+    objects.faces.push_back({0, 0, 0, m + 1, {}, false});
+    objects.items.push_back({m, 1, 0, 0, {}});
+  }
+  ActiveEnvironment active;
+  active.groups.push_back({0, 15, 1});
+  const auto faults = named_faults(table_hierarchy(4, kFig7), objects, active, {}, kTableScale,
+                                   c.machine.formats, figures.faults);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].circuit, (std::vector<std::uint32_t>{B + 1, C + 1, D + 1}));
 }
 
 TEST(StumpThroughTheMicroprogram, TestCase1) {
