@@ -77,7 +77,7 @@ void run_pipeline(const std::vector<FrameView>& views, const Interrupt& interrup
         output.add(picture, repeats);
         repeats.clear();
       });
-  SystemcMachine::simulate();
+  SystemcMachine::simulate({&machine});
 }
 
 }  // namespace

@@ -30,9 +30,9 @@ struct Overload {
 
 /// When things happened to a picture, in cycles of the run.
 struct FrameTiming {
-  Cycle input = 0;                               ///< its viewpoint was read
-  Cycle first_element = 0, last_element = 0;     ///< these left the machine
-  std::array<Cycle, 3> period{};                 ///< length of its frames 1, 2 and 3
+  Cycle input = 0;                            ///< its viewpoint was read
+  Cycle first_element = 0, last_element = 0;  ///< these left the machine
+  std::array<Cycle, 3> period{};  ///< of its frames 1 and 2; of the third up to the last element
   std::array<Activity, kStageCount> activity{};  ///< a stage
   /// From the input to the last element, both counted.
   Cycle transport_delay() const { return last_element - input + 1; }

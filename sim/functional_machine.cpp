@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/functional_machine.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -15,18 +14,11 @@
 #include "models/priority_resolver/functional.hpp"
 #include "models/video_processor/functional.hpp"
 #include "models/video_processor/painter.hpp"
+#include "sim/host_time.hpp"
+#include "sim/word_stages.hpp"
 
 namespace cigsim {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point& from) {
-  const Clock::time_point now = Clock::now();
-  const double ms = std::chrono::duration<double, std::milli>(now - from).count();
-  from = now;
-  return ms;
-}
 
 // How many times over faces may cover the raster before resolving costs less than painting.
 constexpr double kPaintedDepth = 3;
@@ -53,7 +45,6 @@ AnyStages make_stages(const MachineOptions& options) {
     case NumberType::kExact:
       return Stages<Exact>(options.priority);
     case NumberType::kMachine:
-      throw std::invalid_argument("--number: machine words are not assembled yet");
     case NumberType::kDouble:
       break;
   }
@@ -70,18 +61,23 @@ class FunctionalMachine::Impl {
         frame_calculator_(database),
         stages_(make_stages(options)) {
     picture_.fit(options.raster);  // the display's memory is there before the first frame
+    if (options.number == NumberType::kMachine)
+      words_ = std::make_unique<WordStages>(options.description, options.overload);
   }
 
   const Picture& compute(const Viewpoint& viewpoint, double frame) {
-    const std::uint64_t fallbacks = exact_fallbacks();
-    const Clock::time_point start = Clock::now();
-    Clock::time_point lap = start;
     stats_ = {};
-    counted_ = false;
+    counted_ = words_ != nullptr;
+    if (words_) {
+      words_->compute(database_, viewpoint, frame, picture_, stats_);
+      return picture_;
+    }
+    const std::uint64_t fallbacks = exact_fallbacks();
+    HostTime time;
     frame_calculator_.compute(viewpoint, options_.raster, frame, active_, moving_);
-    stats_.stages.frame_calculator = milliseconds_since(lap);
-    std::visit([&](auto& stages) { run(stages, lap); }, stages_);
-    stats_.host_ms = std::chrono::duration<double, std::milli>(lap - start).count();
+    stats_.stages.frame_calculator = time.lap();
+    std::visit([&](auto& stages) { run(stages, time); }, stages_);
+    stats_.host_ms = time.total();
     stats_.exact_tests = exact_fallbacks() - fallbacks;
     stats_.certified = options_.number == NumberType::kExact;
     return picture_;
@@ -95,31 +91,31 @@ class FunctionalMachine::Impl {
 
  private:
   template <class N>
-  void run(Stages<N>& s, Clock::time_point& lap) {
+  void run(Stages<N>& s, HostTime& time) {
     const Raster& raster = options_.raster;
-    const PreparedSystem& world = database_.systems[0];
-    s.priority.compute(world.hierarchy, world.set, active_, database_.ground, list_);
-    stats_.stages.priority_processor = milliseconds_since(lap);
-    s.geometry.compute(active_.view, {&world.set, &moving_, &database_.ground}, list_.items,
-                       s.edges);
-    stats_.stages.geometry_processor = milliseconds_since(lap);
+    s.priority.compute(database_.systems[0].hierarchy, database_.systems[0].set, active_,
+                       database_.ground, list_);
+    stats_.stages.priority_processor = time.lap();
+    s.geometry.compute(active_.view, {&database_.systems[0].set, &moving_, &database_.ground},
+                       list_.items, s.edges);
+    stats_.stages.geometry_processor = time.lap();
     resolved_ = !paints(s.edges);
     if (!resolved_) {
       s.painter.compute(s.edges, database_.background, raster, picture_);
-      stats_.stages.video_processor = milliseconds_since(lap);
+      stats_.stages.video_processor = time.lap();
       return;
     }
     s.painter.forget();
     if (options_.resolver == ResolverMethod::kActiveList) {
       s.orderer.compute(s.edges, raster, crossings_);
-      stats_.stages.edge_orderer = milliseconds_since(lap);
+      stats_.stages.edge_orderer = time.lap();
       stats_.spans = resolver_.compute(crossings_, s.edges.faces.size(), raster, spans_);
     } else {
       stats_.spans = s.coverage.compute(s.edges, raster, spans_);
     }
-    stats_.stages.priority_resolver = milliseconds_since(lap);
+    stats_.stages.priority_resolver = time.lap();
     video_.compute(spans_, s.edges.faces, database_.background, raster, picture_);
-    stats_.stages.video_processor = milliseconds_since(lap);
+    stats_.stages.video_processor = time.lap();
   }
 
   template <class N>
@@ -160,6 +156,7 @@ class FunctionalMachine::Impl {
   MachineOptions options_;
   frame_calculator::Functional frame_calculator_;
   AnyStages stages_;
+  std::unique_ptr<WordStages> words_;  // instead, on machine words
   priority_resolver::Functional resolver_;
   video_processor::Functional video_;
   ActiveEnvironment active_;

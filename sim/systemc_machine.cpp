@@ -1,26 +1,372 @@
 // SPDX-License-Identifier: MIT
 #include "sim/systemc_machine.hpp"
 
-#include <stdexcept>
+#include <fmt/format.h>
+
+#include <array>
+#include <cassert>
+#include <exception>
+#include <sstream>
+#include <systemc>
 #include <utility>
 
-namespace cigsim {
+#include "models/edge_orderer/clocked.hpp"
+#include "models/edge_orderer/timed.hpp"
+#include "models/frame_calculator/memory_loader.hpp"
+#include "models/frame_calculator/timed.hpp"
+#include "models/geometry_processor/clocked.hpp"
+#include "models/geometry_processor/timed.hpp"
+#include "models/priority_processor/clocked.hpp"
+#include "models/priority_processor/timed.hpp"
+#include "models/priority_resolver/clocked.hpp"
+#include "models/priority_resolver/timed.hpp"
+#include "models/video_processor/clocked.hpp"
+#include "models/video_processor/timed.hpp"
+#include "sim/connection.hpp"
+#include "sim/host_time.hpp"
+#include "sim/sequencer.hpp"
 
-class SystemcMachine::Impl {
- public:
-  Next next;
-  Out out;
+namespace cigsim {
+namespace {
+
+// Words of frame starts and completions: one of a frame, and one of the next.
+constexpr std::uint32_t kControlDepth = 2;
+
+// A stage at one of its levels.
+template <class Timed, class Clocked>
+struct StageModel {
+  std::unique_ptr<Timed> timed;
+  std::unique_ptr<Clocked> clocked;
 };
 
-SystemcMachine::SystemcMachine(const std::string&, const PipelineOptions&) {
-  throw std::runtime_error("--level: the pipeline is not assembled yet");
+}  // namespace
+
+// The pictures in the machine are at most three, so that figures have four places by turns.
+class SystemcMachine::Impl : public sc_core::sc_module {
+ public:
+  Impl(sc_core::sc_module_name name, const PipelineOptions& options)
+      : sc_module(name),
+        options_(options),
+        clock_("clock", options.description.clock_ns),
+        loader_(options.description),
+        start_calculator_("start_calculator", kControlDepth, options.stalls, false, false, clock_),
+        calculated_("calculated", kControlDepth, options.stalls, false, false, clock_),
+        start_priority_("start_priority", kControlDepth, options.stalls, false,
+                        pins(Stage::kPriorityProcessor), clock_),
+        start_geometry_("start_geometry", kControlDepth, options.stalls, false,
+                        pins(Stage::kGeometryProcessor), clock_),
+        start_orderer_("start_orderer", kControlDepth, options.stalls, false,
+                       pins(Stage::kEdgeOrderer), clock_),
+        start_video_("start_video", kControlDepth, options.stalls, false,
+                     pins(Stage::kVideoProcessor), clock_),
+        edges_loaded_("edges_loaded", kControlDepth, options.stalls, pins(Stage::kEdgeOrderer),
+                      false, clock_),
+        faces_loaded_("faces_loaded", kControlDepth, options.stalls, pins(Stage::kVideoProcessor),
+                      false, clock_),
+        shown_("shown", kControlDepth, options.stalls, pins(Stage::kVideoProcessor), false, clock_),
+        items_("items", options.description.links.items, options.stalls,
+               pins(Stage::kPriorityProcessor), pins(Stage::kGeometryProcessor), clock_),
+        edges_("edges", options.description.links.edges, options.stalls,
+               pins(Stage::kGeometryProcessor), pins(Stage::kEdgeOrderer), clock_),
+        faces_("faces", options.description.links.faces, options.stalls,
+               pins(Stage::kGeometryProcessor), pins(Stage::kVideoProcessor), clock_),
+        crossings_("crossings", options.description.links.crossings, options.stalls,
+                   pins(Stage::kEdgeOrderer), pins(Stage::kPriorityResolver), clock_),
+        spans_("spans", options.description.links.spans, options.stalls,
+               pins(Stage::kPriorityResolver), pins(Stage::kVideoProcessor), clock_) {
+    make_sequencer();
+    make_calculator();
+    make_priority();
+    make_geometry();
+    make_orderer();
+    make_resolver();
+    make_video();
+  }
+
+  void feed(Next next, Out out) {
+    next_ = std::move(next);
+    out_ = std::move(out);
+    time_ = {};
+  }
+
+  void set_probe(const Probe& probe) {
+    const auto add = [&probe](auto& connection) { watch(connection.link, probe); };
+    add(start_calculator_), add(calculated_), add(start_priority_), add(start_geometry_);
+    add(start_orderer_), add(start_video_), add(edges_loaded_), add(faces_loaded_), add(shown_);
+    add(items_), add(edges_), add(faces_), add(crossings_), add(spans_);
+  }
+
+  // What a callback of this machine threw.
+  std::exception_ptr failure;
+
+ private:
+  bool pins(Stage stage) const { return options_.levels[stage] == Level::kClocked; }
+
+  template <class T>
+  static void watch(Link<T>& link, const Probe& probe) {
+    link.set_probe([probe, name = link.name()](const T& word, Cycle pushed, Cycle taken) {
+      std::ostringstream text;
+      text << word;
+      probe(name, text.str(), pushed, taken);
+    });
+  }
+
+  // ---- stages
+
+  void make_sequencer() {
+    const Sequencer::Links links{start_calculator_.link, start_priority_.link, start_geometry_.link,
+                                 start_orderer_.link,    start_video_.link,    calculated_.link,
+                                 edges_loaded_.link,     faces_loaded_.link,   shown_.link};
+    sequencer_ = std::make_unique<Sequencer>(
+        "sequencer", options_.description.frame_cycles, links,
+        Sequencer::Calls{[this](std::uint32_t frame) { return next_frame(frame); },
+                         [this](std::uint32_t k, Cycle cycle) { frame_started(k, cycle); },
+                         [this] { clock_.stop(); }});
+    for (const Stage stage : kAllStages)
+      if (pins(stage)) clock_.start();
+  }
+
+  void make_calculator() {
+    calculator_ = std::make_unique<frame_calculator::Timed>(
+        "frame_calculator", options_.description,
+        frame_calculator::Timed::Links{start_calculator_.link, calculated_.link},
+        [this](std::uint32_t frame) { return calculate(frame); },
+        [this](const frame_calculator::Figures& f) {
+          note(Stage::kFrameCalculator, f, [](FrameStats&) {});
+        });
+  }
+
+  void make_priority() {
+    const auto report = [this](const priority_processor::Figures& f) {
+      note(Stage::kPriorityProcessor, f, [&f](FrameStats& stats) {
+        stats.faults = static_cast<std::uint32_t>(f.faults.size());
+        stats.active_items = f.items;
+        stats.overload->dropped_items = f.dropped;
+      });
+    };
+    if (!pins(Stage::kPriorityProcessor)) {
+      priority_.timed = std::make_unique<priority_processor::Timed>(
+          "priority_processor", options_.description,
+          priority_processor::Timed::Links{start_priority_.link, items_.link},
+          loader_.priority_banks(), report);
+      return;
+    }
+    auto& model = priority_.clocked = std::make_unique<priority_processor::Clocked>(
+        "priority_processor", options_.description, clock_, loader_.priority_banks(), report);
+    model->clock(clock_.wire);
+    start_priority_.to(model->start);
+    items_.from(model->items);
+  }
+
+  void make_geometry() {
+    const auto report = [this](const geometry_processor::Figures& f) {
+      note(Stage::kGeometryProcessor, f, [&f](FrameStats& stats) {
+        stats.faces = f.front_faces;
+        stats.edges = f.edges;
+        stats.overload->dropped_faces = f.dropped;
+      });
+    };
+    if (!pins(Stage::kGeometryProcessor)) {
+      geometry_.timed = std::make_unique<geometry_processor::Timed>(
+          "geometry_processor", options_.description, options_.overload,
+          geometry_processor::Timed::Links{start_geometry_.link, items_.link, edges_.link,
+                                           faces_.link},
+          loader_.geometry_banks(), report);
+      return;
+    }
+    auto& model = geometry_.clocked = std::make_unique<geometry_processor::Clocked>(
+        "geometry_processor", options_.description, options_.overload, clock_,
+        loader_.geometry_banks(), report);
+    model->clock(clock_.wire);
+    start_geometry_.to(model->start);
+    items_.to(model->items);
+    edges_.from(model->edges);
+    faces_.from(model->faces);
+  }
+
+  void make_orderer() {
+    const auto report = [this](const edge_orderer::Figures& f) {
+      note(Stage::kEdgeOrderer, f, [&f](FrameStats& stats) {
+        stats.crossings = f.crossings;
+        stats.worst_line = f.worst_line;
+        stats.worst_line_crossings = f.worst_line_crossings;
+        stats.overload->overfull_lines = f.overfull_lines;
+        stats.overload->dropped_crossings = f.dropped;
+      });
+    };
+    if (!pins(Stage::kEdgeOrderer)) {
+      orderer_.timed = std::make_unique<edge_orderer::Timed>(
+          "edge_orderer", options_.description, options_.overload,
+          edge_orderer::Timed::Links{edges_.link, edges_loaded_.link, start_orderer_.link,
+                                     crossings_.link},
+          report);
+      return;
+    }
+    auto& model = orderer_.clocked = std::make_unique<edge_orderer::Clocked>(
+        "edge_orderer", options_.description, options_.overload, clock_, report);
+    model->clock(clock_.wire);
+    edges_.to(model->edges);
+    edges_loaded_.from(model->loaded);
+    start_orderer_.to(model->start);
+    crossings_.from(model->crossings);
+  }
+
+  void make_resolver() {
+    const auto report = [this](const priority_resolver::Figures& f) {
+      note(Stage::kPriorityResolver, f, [&f](FrameStats& stats) { stats.spans = f.face_spans; });
+    };
+    if (!pins(Stage::kPriorityResolver)) {
+      resolver_.timed = std::make_unique<priority_resolver::Timed>(
+          "priority_resolver", options_.description,
+          priority_resolver::Timed::Links{crossings_.link, spans_.link}, report);
+      return;
+    }
+    auto& model = resolver_.clocked = std::make_unique<priority_resolver::Clocked>(
+        "priority_resolver", options_.description, clock_, report);
+    model->clock(clock_.wire);
+    crossings_.to(model->crossings);
+    spans_.from(model->spans);
+  }
+
+  void make_video() {
+    const video_processor::Outputs outputs{
+        [this](const video_processor::Figures& f) {
+          note(Stage::kVideoProcessor, f, [&f](FrameStats& stats) {
+            stats.overload->late_lines = f.late_lines;
+            stats.overload->worst_lateness = f.worst_lateness;
+          });
+        },
+        [this](std::uint32_t frame, const Picture& picture, Cycle first, Cycle last) {
+          FrameTiming& timing = *stats_of(frame).timing;
+          timing.first_element = first;
+          timing.last_element = last;
+          timing.period[2] = last + 1 - last_start_;
+          picture_ = &picture;
+        },
+        {}};
+    if (!pins(Stage::kVideoProcessor)) {
+      video_.timed = std::make_unique<video_processor::Timed>(
+          "video_processor", options_.description,
+          video_processor::Timed::Links{faces_.link, faces_loaded_.link, start_video_.link,
+                                        spans_.link, shown_.link},
+          loader_.video_banks(), outputs);
+      return;
+    }
+    auto& model = video_.clocked = std::make_unique<video_processor::Clocked>(
+        "video_processor", options_.description, clock_, loader_.video_banks(), outputs);
+    model->clock(clock_.wire);
+    faces_.to(model->faces);
+    faces_loaded_.from(model->loaded);
+    start_video_.to(model->start);
+    spans_.to(model->spans);
+    shown_.from(model->shown);
+  }
+
+  // ---- frames
+
+  FrameStats& stats_of(std::uint32_t frame) { return stats_[frame % stats_.size()]; }
+
+  bool next_frame(std::uint32_t frame) {
+    try {
+      job_ = next_ && !failure ? next_() : std::nullopt;
+    } catch (...) {
+      failure = std::current_exception();
+      job_.reset();
+    }
+    if (!job_) return false;
+    frames_ = frame + 1;
+    stats_of(frame) = {};
+    stats_of(frame).overload.emplace();
+    stats_of(frame).timing.emplace();
+    return true;
+  }
+
+  void frame_started(std::uint32_t k, Cycle cycle) {
+    if (job_) stats_of(k).timing->input = cycle;
+    for (std::uint32_t age = 1; age <= 2 && age <= k; ++age)
+      if (k - age < frames_) stats_of(k - age).timing->period[age - 1] = cycle - last_start_;
+    last_start_ = cycle;
+  }
+
+  frame_calculator::Work calculate(std::uint32_t frame) {
+    try {
+      return loader_.load(*job_->database, job_->viewpoint, job_->position, frame);
+    } catch (...) {
+      failure = std::current_exception();
+      return {};
+    }
+  }
+
+  // A stage has done its part of a frame. When all have, the picture is delivered.
+  template <class Figures, class Fill>
+  void note(Stage stage, const Figures& figures, Fill fill) {
+    FrameStats& stats = stats_of(figures.frame);
+    const auto s = static_cast<std::size_t>(stage);
+    stats.timing->activity[s] = figures.activity;
+    stats.overload->overflows[s] = figures.overflows;
+    fill(stats);
+    std::size_t& reports = reports_[figures.frame % reports_.size()];
+    if (++reports < kStageCount) return;
+    reports = 0;
+    deliver(stats);
+  }
+
+  void deliver(FrameStats& stats) {
+    stats.host_ms = time_.lap();
+    try {
+      if (out_ && !failure) out_(*picture_, stats);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    time_.lap();  // what was done with the picture is not the machine's time
+  }
+
+  PipelineOptions options_;
+  Clock clock_;
+  frame_calculator::MemoryLoader loader_;
+  Connection<FrameWord> start_calculator_, calculated_, start_priority_, start_geometry_,
+      start_orderer_, start_video_, edges_loaded_, faces_loaded_, shown_;
+  Connection<ItemWord> items_;
+  Connection<EdgeWord> edges_;
+  Connection<FaceWord> faces_;
+  Connection<CrossingWord> crossings_;
+  Connection<SpanWord> spans_;
+
+  std::unique_ptr<Sequencer> sequencer_;
+  std::unique_ptr<frame_calculator::Timed> calculator_;
+  StageModel<priority_processor::Timed, priority_processor::Clocked> priority_;
+  StageModel<geometry_processor::Timed, geometry_processor::Clocked> geometry_;
+  StageModel<edge_orderer::Timed, edge_orderer::Clocked> orderer_;
+  StageModel<priority_resolver::Timed, priority_resolver::Clocked> resolver_;
+  StageModel<video_processor::Timed, video_processor::Clocked> video_;
+
+  Next next_;
+  Out out_;
+  const Picture* picture_ = nullptr;  // the last that was shown
+  std::optional<FrameJob> job_;
+  std::array<FrameStats, 4> stats_;
+  std::array<std::size_t, 4> reports_{};  // stages that have done their part
+  std::uint32_t frames_ = 0;              // begun
+  Cycle last_start_ = 0;
+  HostTime time_;
+};
+
+SystemcMachine::SystemcMachine(const std::string& name, const PipelineOptions& options) {
+  setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
+  impl_ = std::make_unique<Impl>(name.c_str(), options);
 }
+
 SystemcMachine::~SystemcMachine() = default;
-void SystemcMachine::feed(Next next, Out out) {
-  impl_->next = std::move(next);
-  impl_->out = std::move(out);
+
+void SystemcMachine::feed(Next next, Out out) { impl_->feed(std::move(next), std::move(out)); }
+
+void SystemcMachine::simulate(const std::vector<SystemcMachine*>& machines) {
+  sc_core::sc_start();
+  for (SystemcMachine* machine : machines)
+    if (machine->impl_->failure)
+      std::rethrow_exception(std::exchange(machine->impl_->failure, nullptr));
 }
-void SystemcMachine::simulate() {}
-void SystemcMachine::set_probe(const Probe&) {}
+
+void SystemcMachine::set_probe(const Probe& probe) { impl_->set_probe(probe); }
 
 }  // namespace cigsim

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "models/boundary/link.hpp"
 #include "models/boundary/transactions.hpp"
@@ -46,8 +47,9 @@ class SystemcMachine {
   /// Frames for the coming simulate().
   void feed(Next next, Out out);
 
-  /// Runs all machines until none has anything to do. Passes on what a callback threw.
-  static void simulate();
+  /// Runs all machines of the process until none has anything to do. Passes on what the callbacks
+  /// of these threw.
+  static void simulate(const std::vector<SystemcMachine*>& machines);
 
   // For tests and waves.
 

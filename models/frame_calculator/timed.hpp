@@ -9,16 +9,10 @@
 #include "models/boundary/activity.hpp"
 #include "models/boundary/link.hpp"
 #include "models/boundary/words.hpp"
+#include "models/frame_calculator/work.hpp"
 #include "models/machine/description.hpp"
 
 namespace cigsim::frame_calculator {
-
-/// What the computer did for a frame.
-struct Work {
-  std::uint64_t spheres = 0;   ///< members of active groups, tested against the pyramid of vision
-  std::uint64_t vertices = 0;  ///< of moving models, placed
-  std::uint64_t overflows = 0;
-};
 
 struct Figures : StageFigures {
   std::uint64_t spheres = 0, vertices = 0;

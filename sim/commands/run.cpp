@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <numeric>
 
 #include "models/environment/input_error.hpp"
 #include "models/environment/write.hpp"
@@ -14,6 +15,7 @@
 #include "sim/machine_options.hpp"
 #include "sim/scene.hpp"
 #include "sim/stats.hpp"
+#include "sim/timeline_picture.hpp"
 #include "sim/view.hpp"
 
 namespace cigsim {
@@ -29,6 +31,7 @@ struct Options {
   PreparationChoices preparation;
   std::size_t repeat = 1;
   std::string out = "out";
+  std::optional<std::string> timeline;
   bool json = false;
 };
 
@@ -38,6 +41,30 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw InputError(folder.string(), 0, "cannot make this folder: " + error.message());
   // Figures of an earlier run must not stand beside the pictures of this one.
   std::filesystem::remove(folder / "stats.json", error);
+}
+
+// Sums over the run; cycles are those of the slowest picture.
+void print_machine(const RunRecord& run) {
+  const MachineDescription& machine = run.machine.description;
+  fmt::print("Machine   {}, level {}, {:g} ns a cycle\n", machine.name, run.levels.text(),
+             machine.clock_ns);
+  std::uint64_t overflows = 0, items = 0, faces = 0, lines = 0, late = 0;
+  Cycle delay = 0;
+  for (const FrameRecord& frame : run.frames) {
+    const Overload& o = *frame.stats.overload;
+    overflows += std::accumulate(o.overflows.begin(), o.overflows.end(), std::uint64_t{0});
+    items += o.dropped_items;
+    faces += o.dropped_faces;
+    lines += o.overfull_lines;
+    late += o.late_lines;
+    if (frame.stats.timing) delay = std::max(delay, frame.stats.timing->transport_delay());
+  }
+  if (delay > 0)
+    fmt::print("Delay     {} cycles = {:.1f} ms from a viewpoint to its last element (worst)\n",
+               delay, static_cast<double>(delay) * machine.clock_ns * 1e-6);
+  fmt::print(
+      "Overload  {} words saturated; {} items and {} faces dropped; {} lines overfull, {} late\n",
+      overflows, items, faces, lines, late);
 }
 
 void print_summary(const RunRecord& run, const std::filesystem::path& folder) {
@@ -60,6 +87,7 @@ void print_summary(const RunRecord& run, const std::filesystem::path& folder) {
              faces, crossings);
   fmt::print("Decisions {} listability faults, {} of {} frames certified\n", faults, certified,
              run.frames.size());
+  if (run.machine.number == NumberType::kMachine) print_machine(run);
   if (numbers_saturate(*run.database))
     fmt::print("Numbers   65535 in ids-NNNN.pgm stands for that number and all above\n");
   for (const Notice& notice : run.database->report.notices)
@@ -74,7 +102,15 @@ void print_summary(const RunRecord& run, const std::filesystem::path& folder) {
   fmt::print("Figures   {}\n", (folder / "stats.json").string());
 }
 
+void write_timeline(const RunRecord& run, const std::string& file) {
+  std::vector<FrameTiming> timings;
+  for (const FrameRecord& frame : run.frames) timings.push_back(*frame.stats.timing);
+  if (!timings.empty()) write_file(file, timeline_svg(timings, run.machine.description.clock_ns));
+}
+
 int run_command(const Options& options) {
+  if (options.timeline && options.machine.levels.functional())
+    throw UsageError("--timeline: the functional level knows no time; add --level timed");
   const std::vector<PathRow> path = load_path(options.view);
   const LoadedScene scene = load_scene(options.scene, options.preparation);
   const std::vector<FrameView> views = frame_views(options.view, path, scene.database);
@@ -89,6 +125,7 @@ int run_command(const Options& options) {
   run.sun = options.preparation.sun;
   make_folder(options.out);
   const int signal = run_frames(views, options.out, run);
+  if (options.timeline) write_timeline(run, *options.timeline);
   const std::string stats = dump(stats_json(run)) + "\n";
   write_file(std::filesystem::path(options.out) / "stats.json", stats);
   if (options.json)
@@ -108,6 +145,16 @@ void add_output_options(CLI::App& command, Options& o) {
       ->group("Output");
   command.add_option("--out", o.out, "Folder for pictures and figures. Default: out")
       ->type_name("DIR")
+      ->group("Output");
+  command
+      .add_option_function<std::string>(
+          "--timeline",
+          [&o](const std::string& t) {
+            check_ending("--timeline", t, {"svg"});
+            o.timeline = t;
+          },
+          "Draw which stage works on which picture when (the first four)")
+      ->type_name("FILE.svg")
       ->group("Output");
   command.add_flag("--json", o.json, "Print stats.json instead of the summary")->group("Output");
 }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "models/frame_calculator/memory_loader.hpp"
+
+#include "models/frame_calculator/functional.hpp"
+#include "models/machine/scale.hpp"
+
+namespace cigsim::frame_calculator {
+namespace {
+
+using geometry_processor::FaceMemory;
+using priority_processor::PriorityBank;
+
+std::uint64_t spheres_tested(const PriorityHierarchy& hierarchy,
+                             const std::vector<ActiveGroup>& groups) {
+  std::uint64_t spheres = 0;
+  for (const ActiveGroup& group : groups) spheres += hierarchy.groups[group.group].member_count;
+  return spheres;
+}
+
+}  // namespace
+
+MemoryLoader::Image::Image(const Database& from, const MachineDescription& machine)
+    : database(&from),
+      scale(coordinate_scale(from, machine.formats)),
+      priority(from.systems[0].hierarchy, from.systems[0].set.items.size(), scale, machine),
+      faces(from.systems[0].set, scale, machine),
+      ground(from.ground, scale, machine) {}
+
+MemoryLoader::MemoryLoader(const MachineDescription& machine)
+    : machine_(machine),
+      nothing_(PriorityHierarchy(), 0, 0, machine),
+      priority_{PriorityBank(nothing_), PriorityBank(nothing_)} {}
+
+Work MemoryLoader::load(const Database& database, const Viewpoint& viewpoint, double position,
+                        std::uint32_t frame) {
+  if (!image_ || image_->database != &database)
+    image_ = std::make_shared<const Image>(database, machine_);
+  Side& side = sides_[frame % 2];
+  Functional(database).compute(viewpoint, machine_.raster, position, side.active, side.moving);
+  auto moving = std::make_unique<FaceMemory>(side.moving, image_->scale, machine_);
+  Work work;
+  work.vertices = side.moving.vertices.size();
+  work.spheres = spheres_tested(database.systems[0].hierarchy, side.active.groups);
+  work.overflows = moving->overflows();
+  const ViewWords view =
+      view_words(side.active.view, image_->scale, machine_.formats, work.overflows);
+  PriorityBank& priority = priority_[frame % 2];
+  if (side.image != image_) priority = PriorityBank(image_->priority);
+  priority.fill(side.active, view, static_cast<std::uint32_t>(database.ground.items.size()));
+  geometry_[frame % 2] = {view, {&image_->faces, moving.get(), &image_->ground}};
+  video_[frame % 2].background = database.background;
+  side.image = image_;
+  side.moving_faces = std::move(moving);
+  return work;
+}
+
+}  // namespace cigsim::frame_calculator

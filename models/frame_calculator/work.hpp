@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// How much the frame calculator has to do for a frame.
+#pragma once
+
+#include <cstdint>
+
+namespace cigsim::frame_calculator {
+
+struct Work {
+  std::uint64_t spheres = 0;   ///< members of active groups, tested against the pyramid of vision
+  std::uint64_t vertices = 0;  ///< of moving models, placed
+  std::uint64_t overflows = 0;
+};
+
+}  // namespace cigsim::frame_calculator

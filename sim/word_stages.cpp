@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "sim/word_stages.hpp"
+
+#include "sim/host_time.hpp"
+
+namespace cigsim {
+
+WordStages::WordStages(const MachineDescription& machine, OverloadPolicy policy)
+    : machine_(machine),
+      loader_(machine),
+      priority_(machine.object_capacity),
+      geometry_(machine),
+      orderer_(machine.crossing_capacity, policy) {}
+
+void WordStages::compute(const Database& database, const Viewpoint& viewpoint, double position,
+                         Picture& picture, FrameStats& stats) {
+  HostTime time;
+  Overload& overload = stats.overload.emplace();
+  const auto note = [&overload](Stage stage, const auto& figures) {
+    overload.overflows[static_cast<std::size_t>(stage)] = figures.overflows;
+  };
+
+  note(Stage::kFrameCalculator, loader_.load(database, viewpoint, position, 0));
+  stats.stages.frame_calculator = time.lap();
+
+  priority_processor::Figures priority;
+  priority_.compute(loader_.priority_banks()[0], items_, priority);
+  note(Stage::kPriorityProcessor, priority);
+  stats.active_items = priority.items;
+  stats.faults = static_cast<std::uint32_t>(priority.faults.size());
+  overload.dropped_items = priority.dropped;
+  stats.stages.priority_processor = time.lap();
+
+  geometry_processor::Figures geometry;
+  geometry_.compute(loader_.geometry_banks()[0], items_, edges_, geometry);
+  note(Stage::kGeometryProcessor, geometry);
+  stats.faces = edges_.faces.size();
+  stats.edges = edges_.edges.size();
+  overload.dropped_faces = geometry.dropped;
+  stats.stages.geometry_processor = time.lap();
+
+  const edge_orderer::Figures ordered = orderer_.compute(edges_, machine_.raster, crossings_);
+  stats.crossings = ordered.crossings;
+  stats.worst_line = ordered.worst_line;
+  stats.worst_line_crossings = ordered.worst_line_crossings;
+  overload.overfull_lines = ordered.overfull_lines;
+  overload.dropped_crossings = ordered.dropped;
+  stats.stages.edge_orderer = time.lap();
+
+  stats.spans = resolver_.compute(crossings_, edges_.faces.size(), machine_.raster, spans_);
+  stats.stages.priority_resolver = time.lap();
+
+  video_.compute(spans_, edges_.faces, database.background, machine_.raster, picture);
+  stats.stages.video_processor = time.lap();
+  stats.host_ms = time.total();
+}
+
+}  // namespace cigsim
