@@ -7,6 +7,7 @@
 #include "sim/picture_file.hpp"
 #include "sim/progress.hpp"
 #include "sim/systemc_machine.hpp"
+#include "sim/wave/recording.hpp"
 
 namespace cigsim {
 namespace {
@@ -56,7 +57,7 @@ void run_functional(const std::vector<FrameView>& views, const Interrupt& interr
 
 // A frame that is repeated goes through the pipeline as often.
 void run_pipeline(const std::vector<FrameView>& views, const Interrupt& interrupt,
-                  const RunRecord& run, Output& output) {
+                  const std::optional<WaveRequest>& wave, const RunRecord& run, Output& output) {
   SystemcMachine machine("cigsim", {.description = run.machine.description,
                                     .overload = run.machine.overload,
                                     .levels = run.levels,
@@ -77,19 +78,23 @@ void run_pipeline(const std::vector<FrameView>& views, const Interrupt& interrup
         output.add(picture, repeats);
         repeats.clear();
       });
-  SystemcMachine::simulate({&machine});
+  if (!wave) return SystemcMachine::simulate({&machine});
+  write_wave(*wave, [&](std::ostream& out) {
+    machine.record(out, wave->window, wave->stages);
+    SystemcMachine::simulate({&machine});
+  });
 }
 
 }  // namespace
 
 int run_frames(const std::vector<FrameView>& views, const std::filesystem::path& folder,
-               RunRecord& run) {
+               const std::optional<WaveRequest>& wave, RunRecord& run) {
   const Interrupt interrupt;
   Output output(views, folder, run);
   if (run.levels.functional())
     run_functional(views, interrupt, run, output);
   else
-    run_pipeline(views, interrupt, run, output);
+    run_pipeline(views, interrupt, wave, run, output);
   run.interrupted = run.frames.size() < views.size();
   return run.interrupted ? interrupt.signal() : 0;
 }

@@ -96,6 +96,18 @@ class SystemcMachine::Impl : public sc_core::sc_module {
     add(items_), add(edges_), add(faces_), add(crossings_), add(spans_);
   }
 
+  void record(std::ostream& out, const CycleWindow& window, const std::vector<Stage>& stages) {
+    const std::string clock = std::string(name()) + ".clock";
+    recorder_ =
+        std::make_unique<Recorder>((std::string(name()) + "_recorder").c_str(), clock_, clock, out,
+                                   window, [this, stages](sc_core::sc_trace_file* file) {
+                                     for (const Stage stage : stages) trace(stage, file);
+                                   });
+  }
+  void finish_recording() {
+    if (recorder_) recorder_->finish();
+  }
+
   // What a callback of this machine threw.
   std::exception_ptr failure;
 
@@ -109,6 +121,24 @@ class SystemcMachine::Impl : public sc_core::sc_module {
       text << word;
       probe(name, text.str(), pushed, taken);
     });
+  }
+
+  void trace(Stage stage, sc_core::sc_trace_file* file) const {
+    const auto of = [file](const auto& model) { model.clocked->trace(file); };
+    switch (stage) {
+      case Stage::kPriorityProcessor:
+        return of(priority_);
+      case Stage::kGeometryProcessor:
+        return of(geometry_);
+      case Stage::kEdgeOrderer:
+        return of(orderer_);
+      case Stage::kPriorityResolver:
+        return of(resolver_);
+      case Stage::kVideoProcessor:
+        return of(video_);
+      case Stage::kFrameCalculator:
+        break;
+    }
   }
 
   // ---- stages
@@ -339,6 +369,7 @@ class SystemcMachine::Impl : public sc_core::sc_module {
   StageModel<edge_orderer::Timed, edge_orderer::Clocked> orderer_;
   StageModel<priority_resolver::Timed, priority_resolver::Clocked> resolver_;
   StageModel<video_processor::Timed, video_processor::Clocked> video_;
+  std::unique_ptr<Recorder> recorder_;
 
   Next next_;
   Out out_;
@@ -362,11 +393,17 @@ void SystemcMachine::feed(Next next, Out out) { impl_->feed(std::move(next), std
 
 void SystemcMachine::simulate(const std::vector<SystemcMachine*>& machines) {
   sc_core::sc_start();
+  for (SystemcMachine* machine : machines) machine->impl_->finish_recording();
   for (SystemcMachine* machine : machines)
     if (machine->impl_->failure)
       std::rethrow_exception(std::exchange(machine->impl_->failure, nullptr));
 }
 
 void SystemcMachine::set_probe(const Probe& probe) { impl_->set_probe(probe); }
+
+void SystemcMachine::record(std::ostream& out, const CycleWindow& window,
+                            const std::vector<Stage>& stages) {
+  impl_->record(out, window, stages);
+}
 
 }  // namespace cigsim

@@ -15,6 +15,7 @@
 #include "models/machine/description.hpp"
 #include "sim/frame_stats.hpp"
 #include "sim/level.hpp"
+#include "sim/wave/recorder.hpp"
 
 namespace cigsim {
 
@@ -57,6 +58,10 @@ class SystemcMachine {
   using Probe = std::function<void(const std::string& link, const std::string& word, Cycle pushed,
                                    Cycle taken)>;
   void set_probe(const Probe& probe);
+
+  /// Records waves of the coming simulate() into `out`, which must outlive it: pins and registers
+  /// of `stages`, which must be clocked. To be called once.
+  void record(std::ostream& out, const CycleWindow& window, const std::vector<Stage>& stages);
 
  private:
   class Impl;

@@ -17,6 +17,7 @@
 #include "sim/stats.hpp"
 #include "sim/timeline_picture.hpp"
 #include "sim/view.hpp"
+#include "sim/wave/recording.hpp"
 
 namespace cigsim {
 namespace {
@@ -32,6 +33,7 @@ struct Options {
   std::size_t repeat = 1;
   std::string out = "out";
   std::optional<std::string> timeline;
+  WaveChoices wave;
   bool json = false;
 };
 
@@ -111,6 +113,7 @@ void write_timeline(const RunRecord& run, const std::string& file) {
 int run_command(const Options& options) {
   if (options.timeline && options.machine.levels.functional())
     throw UsageError("--timeline: the functional level knows no time; add --level timed");
+  const std::optional<WaveRequest> wave = wave_request(options.wave, options.machine.levels);
   const std::vector<PathRow> path = load_path(options.view);
   const LoadedScene scene = load_scene(options.scene, options.preparation);
   const std::vector<FrameView> views = frame_views(options.view, path, scene.database);
@@ -124,7 +127,7 @@ int run_command(const Options& options) {
   run.path = options.view.path;
   run.sun = options.preparation.sun;
   make_folder(options.out);
-  const int signal = run_frames(views, options.out, run);
+  const int signal = run_frames(views, options.out, wave, run);
   if (options.timeline) write_timeline(run, *options.timeline);
   const std::string stats = dump(stats_json(run)) + "\n";
   write_file(std::filesystem::path(options.out) / "stats.json", stats);
@@ -132,6 +135,7 @@ int run_command(const Options& options) {
     fmt::print("{}", stats);
   else
     print_summary(run, options.out);
+  if (wave && !options.json) fmt::print("{}\n", view_command(*wave));
   return signal == 0 ? 0 : kSignalled + signal;
 }
 
@@ -177,6 +181,7 @@ void add_run(CLI::App& program, int& exit_code) {
   add_preparation_options(*command, options->preparation);
   add_machine_options(*command, options->machine);
   add_output_options(*command, *options);
+  add_wave_options(*command, options->wave);
   command->callback([options, &exit_code] { exit_code = run_command(*options); });
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 
 namespace cigsim {
@@ -87,6 +88,25 @@ struct Stretch {
   bool open_begin, open_end;  // goes on beyond the window
   const std::string* value;
 };
+
+// Takes the scopes that all names of `which` share from these, if there are several.
+template <class Which>
+void drop_shared_scopes(std::vector<std::string>& names, Which&& which) {
+  const std::string* model = nullptr;
+  std::size_t shared = 0, count = 0;
+  for (const std::string& name : names) {
+    if (!which(name)) continue;
+    if (count++ == 0) {
+      model = &name;
+      shared = name.rfind('.') + 1;
+    }
+    while (shared > 0 && name.compare(0, shared, *model, 0, shared) != 0)
+      shared = shared < 2 ? 0 : model->rfind('.', shared - 2) + 1;
+  }
+  if (count < 2 || shared == 0) return;
+  for (std::string& name : names)
+    if (which(name)) name.erase(0, shared);
+}
 
 class Drawing {
  public:
@@ -337,14 +357,12 @@ std::string wave_picture(const Wave& wave, const std::vector<WavePictureRow>& ro
 }
 
 std::vector<std::string> short_names(const std::vector<std::string>& names) {
-  if (names.empty()) return {};
-  std::size_t shared = names.front().rfind('.') + 1;
-  for (const std::string& name : names) {
-    while (shared > 0 && name.compare(0, shared, names.front(), 0, shared) != 0)
-      shared = shared < 2 ? 0 : names.front().rfind('.', shared - 2) + 1;
-  }
-  std::vector<std::string> result;
-  for (const std::string& name : names) result.push_back(name.substr(shared));
+  std::vector<std::string> result = names;
+  drop_shared_scopes(result, [](const std::string&) { return true; });
+  drop_shared_scopes(result, [](const std::string& n) { return n.find('.') != n.npos; });
+  if (std::set<std::string>(result.begin(), result.end()).size() <
+      std::set<std::string>(names.begin(), names.end()).size())
+    return names;
   return result;
 }
 

@@ -29,7 +29,8 @@ struct WavePictureOptions {
 std::string wave_picture(const Wave& wave, const std::vector<WavePictureRow>& rows,
                          const WavePictureOptions& options);
 
-/// Names without the scopes that all of them share; of a single one its last part.
+/// Names without the scopes that all of them share, and then without those that all but the names
+/// without a scope share ("clock" beside the signals of a module). Different names stay different.
 std::vector<std::string> short_names(const std::vector<std::string>& names);
 
 }  // namespace cigsim

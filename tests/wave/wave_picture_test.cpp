@@ -88,7 +88,11 @@ TEST(WavePicture, AWindowNeedsALength) {
 TEST(WavePicture, NamesLoseTheScopesThatAllShare) {
   EXPECT_EQ(short_names({"a.b.c", "a.b.d.e"}), (std::vector<std::string>{"c", "d.e"}));
   EXPECT_EQ(short_names({"a.bc", "a.bd"}), (std::vector<std::string>{"bc", "bd"}));
-  EXPECT_EQ(short_names({"x.y"}), (std::vector<std::string>{"y"}));
+  EXPECT_EQ(short_names({"top.clock", "top.a.x", "top.a.y.z"}),
+            (std::vector<std::string>{"clock", "x", "y.z"}));
+  EXPECT_EQ(short_names({"top.x", "top.a.x", "top.a.y"}),
+            (std::vector<std::string>{"top.x", "top.a.x", "top.a.y"}));
+  EXPECT_EQ(short_names({"x.y"}), (std::vector<std::string>{"x.y"}));
   EXPECT_EQ(short_names({"a.b", "c.b"}), (std::vector<std::string>{"a.b", "c.b"}));
 }
 
