@@ -217,5 +217,63 @@ TEST(GeometryProcessor, LevelsAgreeBitForBitAndToTheCycle) {
   EXPECT_GT(totals.stalled, 100u);
 }
 
+// One item, a square in view, in each of three frames. By the page's costs the item's deadline is
+// looked at 4 cycles after the start word, and its face's 5 + 4 * 39 + 2 later.
+TEST(GeometryProcessor, TheDeadlineEndsTheList) {
+  struct Want {
+    Cycle frame_cycles;
+    OverloadPolicy overload;
+    bool dropped;
+  };
+  const Want wants[] = {{4, OverloadPolicy::kDrop, true},    {5, OverloadPolicy::kDrop, true},
+                        {167, OverloadPolicy::kDrop, true},  {167, OverloadPolicy::kCut, true},
+                        {168, OverloadPolicy::kDrop, false}, {167, OverloadPolicy::kExtend, false},
+                        {0, OverloadPolicy::kDrop, false}};
+  test::fresh_simulation();
+  Clock clock("clock", 125);
+  std::deque<Case> cases;
+  std::deque<Bench> benches;
+  for (const Want& want : wants) {
+    Case& c = cases.emplace_back(1);
+    c.machine = {};
+    c.machine.raster = {8, 8};
+    c.machine.frame_cycles = want.frame_cycles;
+    if (want.frame_cycles != 0) c.machine.frame_cycles += c.machine.deadline_margin = 50;
+    c.overload = want.overload;
+    for (std::uint32_t& depth : c.depths) depth = 8;
+    c.waits = test::Waits::none();
+    FaceMemory& memory = c.memories.emplace_back();
+    memory.items = {0, 1, 0, 4};
+    memory.vertices = {1024, 512, 512, 1024, 512, -512, 1024, -512, -512, 1024, -512, 512};
+    memory.faces = {0, 4, -(1 << 30), 0, 0, 0, 7, 0};
+    memory.corners = {0, 1, 2, 3};
+    for (GeometryBank& bank : c.banks) {
+      bank = {};
+      bank.view.raster = c.machine.raster;
+      bank.view.matrix[0][0] = bank.view.matrix[2][2] = 1 << 30;
+      bank.view.matrix[1][1] = -(1 << 30);
+      bank.sets.fill(&memory);
+    }
+    c.items.clear();
+    for (std::uint32_t k = 0; k < Case::kFrames; ++k) {
+      c.items.push_back({});
+      c.items.push_back({SetId::kStatic, 0, true});
+    }
+    benches.emplace_back(c, false, clock);
+    benches.emplace_back(c, true, clock);
+  }
+  clock.start();
+  sc_core::sc_start(5000 * clock.period());
+  clock.stop();
+  for (std::size_t i = 0; i < std::size(wants); ++i) {
+    SCOPED_TRACE(i);
+    expect_equal(benches[2 * i], benches[2 * i + 1]);
+    for (const Figures& f : benches[2 * i].figures) {
+      EXPECT_EQ(f.dropped, wants[i].dropped ? 1u : 0u);
+      EXPECT_EQ(f.edges, wants[i].dropped ? 0u : 2u);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cigsim::geometry_processor
