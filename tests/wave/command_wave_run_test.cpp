@@ -122,6 +122,12 @@ TEST_F(CommandTest, AStoppedRunLeavesAWholeWave) {
   for (const std::string& name : files()) EXPECT_EQ(name.find(".part"), std::string::npos) << name;
 }
 
+TEST_F(CommandTest, AFullDiskLeavesNoWave) {
+  expect_unusable(small_run({"--level", "clocked", "--wave", "w.vcd"}), "w.vcd: cannot be written",
+                  {.file_size = 100'000, .memory = {}});
+  for (const std::string& name : files()) EXPECT_EQ(name.find("w."), std::string::npos) << name;
+}
+
 TEST_F(CommandTest, WavesThatCannotBeAreRefusedAheadOfTheRun) {
   expect_unusable({"run", "--wave", "w.txt"}, "--wave: 'w.txt' must end in .vcd or .fst");
   expect_unusable({"run", "--wave", "w.vcd"}, "no stage is clocked in this run; add --level");
