@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kBlock = 1 << 16;
 constexpr std::size_t kLongestToken = 1 << 20;
 constexpr std::uint32_t kWidest = 1 << 16;  // bits
+constexpr double kLatest = 9e18;            // units
 constexpr WaveTime kForever = std::numeric_limits<WaveTime>::max();
 
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -88,7 +89,10 @@ VcdReader::VcdReader(ByteSource source, std::string name)
   if (unit_ns_ == 0) fail("has no $timescale");
 }
 
-void VcdReader::fail(const std::string& what) const { throw InputError(name_, line_, what); }
+void VcdReader::fail(const std::string& what) const {
+  constexpr std::uint64_t kLastLine = std::numeric_limits<int>::max();
+  throw InputError(name_, static_cast<int>(std::min(line_, kLastLine)), what);
+}
 
 bool VcdReader::fill() {
   at_ = 0;
@@ -260,7 +264,7 @@ bool VcdReader::take_time(const std::string& token, Wave& wave) {
 
 // A whole number of units where it is one but for rounding.
 WaveTime VcdReader::in_units(double ns, double (*round)(double)) const {
-  const double units = std::max(0.0, ns / unit_ns_), nearest = std::round(units);
+  const double units = std::clamp(ns / unit_ns_, 0.0, kLatest), nearest = std::round(units);
   return static_cast<WaveTime>(std::abs(units - nearest) < 1e-6 ? nearest : round(units));
 }
 

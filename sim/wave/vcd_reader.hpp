@@ -66,7 +66,7 @@ class VcdReader {
   std::string name_;
   std::vector<char> block_;
   std::size_t at_ = 0, end_ = 0;
-  int line_ = 1;
+  std::uint64_t line_ = 1;
 
   double unit_ns_ = 0;
   std::vector<std::string> scopes_;

@@ -147,6 +147,27 @@ TEST(VcdReader, DamageIsToldWithItsLine) {
   EXPECT_EQ(error_of(kHead + "#0\n?\n"), "w.vcd:15: '?' is neither a time nor a value");
 }
 
+// Read, or refused in one line, but never anything else.
+TEST(VcdReader, NoDamageIsTooMuch) {
+  const unsigned seed = 11;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  const std::string whole = kHead + kBody;
+  std::size_t refused = 0;
+  for (int i = 0; i < 5000; ++i) {
+    std::string text = whole.substr(0, 1 + random() % whole.size());
+    for (int k = random() % 4; k > 0; --k)
+      text[random() % text.size()] = "$#b01xz!\"% \n[]"[random() % 14];
+    try {
+      read(text, {}, {});
+    } catch (const InputError& error) {
+      ++refused;
+      EXPECT_EQ(std::string(error.what()).rfind("w.vcd:", 0), 0u);
+    }
+  }
+  EXPECT_GT(refused, 1000u);
+}
+
 TEST(VcdReader, AWindowWithoutWavesIsRefused) {
   EXPECT_EQ(error_of(kHead + kBody, {5.0, 6.0}), "w.vcd: ends at 4 ns, before the window");
   EXPECT_EQ(error_of(kHead + "#100\n1!\n", {1.0, 2.0}), "w.vcd: begins at 10 ns, after the window");
