@@ -168,8 +168,9 @@ class SystemcMachine::Impl : public sc_core::sc_module {
 
   void make_priority() {
     const auto report = [this](const priority_processor::Figures& f) {
-      note(Stage::kPriorityProcessor, f, [&f](FrameStats& stats) {
+      note(Stage::kPriorityProcessor, f, [this, &f](FrameStats& stats) {
         stats.faults = static_cast<std::uint32_t>(f.faults.size());
+        stats.listability = loader_.named_faults(f.frame, f.faults);
         stats.active_items = f.items;
         stats.overload->dropped_items = f.dropped;
       });

@@ -28,6 +28,7 @@ void WordStages::compute(const Database& database, const Viewpoint& viewpoint, d
   note(Stage::kPriorityProcessor, priority);
   stats.active_items = priority.items;
   stats.faults = static_cast<std::uint32_t>(priority.faults.size());
+  stats.listability = loader_.named_faults(0, priority.faults);
   overload.dropped_items = priority.dropped;
   stats.stages.priority_processor = time.lap();
 

@@ -3,6 +3,7 @@
 
 #include "models/frame_calculator/functional.hpp"
 #include "models/machine/scale.hpp"
+#include "models/priority_processor/named_faults.hpp"
 
 namespace cigsim::frame_calculator {
 namespace {
@@ -52,6 +53,16 @@ Work MemoryLoader::load(const Database& database, const Viewpoint& viewpoint, do
   side.image = image_;
   side.moving_faces = std::move(moving);
   return work;
+}
+
+std::vector<ListabilityFault> MemoryLoader::named_faults(
+    std::uint32_t frame, const std::vector<std::uint32_t>& faults) const {
+  const Side& side = sides_[frame % 2];
+  if (faults.empty() || !side.image) return {};
+  const PreparedSystem& system = side.image->database->systems[0];
+  return priority_processor::named_faults(system.hierarchy, system.set, side.active,
+                                          geometry_[frame % 2].view, side.image->scale,
+                                          machine_.formats, faults);
 }
 
 }  // namespace cigsim::frame_calculator

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 #include "models/boundary/transactions.hpp"
 #include "models/frame_calculator/work.hpp"
@@ -33,8 +34,9 @@ class MemoryLoader {
     return geometry_;
   }
   const video_processor::VideoBanks& video_banks() const { return video_; }
-  /// The environment that the frame's banks were filled from.
-  const ActiveEnvironment& active(std::uint32_t frame) const { return sides_[frame % 2].active; }
+  /// The priority processor's faults in a frame whose banks still stand (Figures::faults), named.
+  std::vector<ListabilityFault> named_faults(std::uint32_t frame,
+                                             const std::vector<std::uint32_t>& faults) const;
 
  private:
   // The database in words.
