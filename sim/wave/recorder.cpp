@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace cigsim {
+namespace {
+
+constexpr Cycle kLongestSleep = 1 << 20;  // cycles, which SystemC's time holds at any clock
+
+}  // namespace
 
 Recorder::Recorder(sc_core::sc_module_name name, const Clock& clock, const std::string& clock_name,
                    std::ostream& out, const CycleWindow& window,
@@ -32,7 +37,9 @@ void Recorder::look() {
   }
   const Cycle now = clock_.cycle() + 1;
   if (now < window_.first) {
-    const Cycle skipped = window_.first - now - 1;
+    // Woken from sleep it waits for the next falling edge; there is none if the run is over.
+    if (!clock_.wire.negedge()) return;
+    const Cycle skipped = std::min(window_.first - now - 1, kLongestSleep);
     if (skipped > 0) next_trigger(static_cast<double>(skipped) * clock_.period());
     return;
   }
