@@ -34,6 +34,16 @@ struct FrameTiming {
   Cycle first_element = 0, last_element = 0;  ///< these left the machine
   std::array<Cycle, 3> period{};  ///< of its frames 1 and 2; of the third up to the last element
   std::array<Activity, kStageCount> activity{};  ///< a stage
+  std::uint32_t extended = 0;  ///< of its three frames, those longer than the machine's frame
+  /// Share of the stage's frame in which it was busy.
+  double utilisation(Stage stage) const {
+    const std::size_t frame = stage == Stage::kFrameCalculator     ? 0
+                              : stage <= Stage::kGeometryProcessor ? 1
+                                                                   : 2;
+    const Activity& a = activity[static_cast<std::size_t>(stage)];
+    return period[frame] == 0 ? 0
+                              : static_cast<double>(a.busy()) / static_cast<double>(period[frame]);
+  }
   /// From the input to the last element, both counted.
   Cycle transport_delay() const { return last_element - input + 1; }
 };

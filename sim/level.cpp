@@ -91,7 +91,7 @@ LevelChoice LevelChoice::parse(const std::string& text) {
   LevelChoice choice;
   if (text.find('=') == std::string::npos) {
     const Level level = parse_level(text);
-    if (!any_stage_at(level)) fail_on_missing("no stage", level);
+    if (!any_stage_at(level)) fail_on_missing("the machine", level);
     for (const Stage stage : kAllStages) {
       choice[stage] = level;
       while (!exists(stage, choice[stage]))

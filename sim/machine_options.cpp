@@ -23,6 +23,8 @@ void check(const MachineChoices& choices, bool words) {
         "machine, or --level functional");
   if (choices.machine && !words)
     throw UsageError("--machine: a machine computes on machine words; take --number machine");
+  if (choices.overload && !words)
+    throw UsageError("--overload: only a machine has memories to overflow; take --machine");
   if (!words) return;
   if (choices.priority != PriorityMethod::kCounters)
     throw UsageError("--priority: the machine's own priority processor has counters");
@@ -54,7 +56,7 @@ MachineOptions machine_options(const MachineChoices& choices, const std::optiona
   if (!words) return options;
   options.description = description(choices, raster);
   options.raster = options.description.raster;
-  options.overload = choices.overload;
+  options.overload = choices.overload.value_or(options.overload);
   return options;
 }
 

@@ -17,7 +17,7 @@ struct MachineChoices {
   std::optional<NumberType> number;
   std::optional<ResolverMethod> resolver;
   PriorityMethod priority = PriorityMethod::kCounters;
-  OverloadPolicy overload = OverloadPolicy::kDrop;
+  std::optional<OverloadPolicy> overload;
   LevelChoice levels;
 };
 

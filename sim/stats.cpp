@@ -67,17 +67,16 @@ Json timing_json(const std::optional<FrameTiming>& timing) {
   Json stages = Json::object();
   for (const Stage stage : kAllStages) {
     const Activity& a = timing->activity[static_cast<std::size_t>(stage)];
-    stages[std::string(name_of(stage))] = {{"start", a.start},
-                                           {"finish", a.finish},
-                                           {"busy", a.busy()},
-                                           {"idle", a.idle},
-                                           {"stalled", a.stalled}};
+    stages[std::string(name_of(stage))] = {
+        {"start", a.start}, {"finish", a.finish},   {"busy", a.busy()},
+        {"idle", a.idle},   {"stalled", a.stalled}, {"utilisation", timing->utilisation(stage)}};
   }
   return {{"input", timing->input},
           {"first_element", timing->first_element},
           {"last_element", timing->last_element},
           {"transport_delay", timing->transport_delay()},
           {"frame_periods", timing->period},
+          {"frames_extended", timing->extended},
           {"stages", std::move(stages)}};
 }
 

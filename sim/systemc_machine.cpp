@@ -272,6 +272,8 @@ class SystemcMachine::Impl : public sc_core::sc_module {
           timing.first_element = first;
           timing.last_element = last;
           timing.period[2] = last + 1 - last_start_;
+          if (const Cycle frame_cycles = options_.description.frame_cycles; frame_cycles > 0)
+            for (const Cycle period : timing.period) timing.extended += period > frame_cycles;
           picture_ = &picture;
         },
         {}};

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMostPictures = 4;
 constexpr double kLeft = 170, kRight = 24, kTop = 56, kWidth = 1000;
 constexpr double kRow = 34, kBar = 22, kAxis = 46;
-constexpr double kShortestLabel = 46;  // width of a bar that still holds its label
+constexpr double kShortestLabel = 58;  // width of a bar that still holds its label
 
 constexpr const char* kColours[] = {"#2f6fab", "#d1782c", "#3c8f5a", "#8b5fa8"};
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The geometry processor on machine words (Stump 1986, ch. II; Sandor 1979, ch. 3): vertices into
-// the viewpoint system, back faces out, faces clipped by Sutherland and Hodgman's method and
-// projected, edges set up for the raster. docs/machine/geometry_processor.md gives the rules (GP…)
-// that are cited here. The words and their formats are reconstruction.
+// The geometry processor on machine words (Sandor 1979, sec. 4.3 and 5.1; back faces also Stump
+// 1986, ch. II): vertices into the viewpoint system, back faces out, faces clipped by Sutherland
+// and Hodgman's method and projected, edges set up for the raster.
+// docs/machine/geometry_processor.md gives the rules (GP…) that are cited here. The words and their
+// formats are reconstruction.
 //
 // The walk is the functional and the timed level's: what goes in and out, and what a step costs, is
 // the business of a `Pace`.

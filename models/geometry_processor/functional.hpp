@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Geometry processor, functional level (Stump 1986, ch. II; Sandor 1979, ch. 3): vertices into the
-// viewpoint system, back faces out, faces clipped and projected, edges set up for the raster.
+// Geometry processor, functional level (Sandor 1979, sec. 4.3 and 5.1; back faces also Stump 1986,
+// ch. II): vertices into the viewpoint system, back faces out, faces clipped and projected, edges
+// set up for the raster.
 //
 // In double, the error of a projected edge is about the rounding of the vertices over the distance
 // of the eyepoint from the face's plane. A face that the eyepoint sees so nearly edge on that this

@@ -57,6 +57,10 @@ std::string machine_contradiction(const MachineDescription& machine) {
            std::to_string(elements) + " elements at " + std::to_string(machine.elements_per_cycle) +
            " a cycle, but the raster is " + std::to_string(machine.raster.width) +
            " wide; raise elements_per_cycle or line_cycles, or narrow the raster";
+  if (machine.frame_cycles > 0 && machine.deadline_margin >= machine.frame_cycles)
+    return "a deadline_margin of " + std::to_string(machine.deadline_margin) +
+           " cycles leaves nothing of a frame of " + std::to_string(machine.frame_cycles) +
+           "; shorten deadline_margin or lengthen frame_cycles";
   return {};
 }
 

@@ -50,7 +50,7 @@ void print_machine(const RunRecord& run) {
   const MachineDescription& machine = run.machine.description;
   fmt::print("Machine   {}, level {}, {:g} ns a cycle\n", machine.name, run.levels.text(),
              machine.clock_ns);
-  std::uint64_t overflows = 0, items = 0, faces = 0, lines = 0, late = 0;
+  std::uint64_t overflows = 0, items = 0, faces = 0, lines = 0, late = 0, extended = 0;
   Cycle delay = 0;
   for (const FrameRecord& frame : run.frames) {
     const Overload& o = *frame.stats.overload;
@@ -59,7 +59,9 @@ void print_machine(const RunRecord& run) {
     faces += o.dropped_faces;
     lines += o.overfull_lines;
     late += o.late_lines;
-    if (frame.stats.timing) delay = std::max(delay, frame.stats.timing->transport_delay());
+    if (!frame.stats.timing) continue;
+    extended += frame.stats.timing->extended > 0;
+    delay = std::max(delay, frame.stats.timing->transport_delay());
   }
   if (delay > 0)
     fmt::print("Delay     {} cycles = {:.1f} ms from a viewpoint to its last element (worst)\n",
@@ -67,6 +69,9 @@ void print_machine(const RunRecord& run) {
   fmt::print(
       "Overload  {} words saturated; {} items and {} faces dropped; {} lines overfull, {} late\n",
       overflows, items, faces, lines, late);
+  if (extended > 0)
+    fmt::print("Extended  {} pictures took frames longer than the machine's {} cycles\n", extended,
+               machine.frame_cycles);
 }
 
 void print_summary(const RunRecord& run, const std::filesystem::path& folder) {

@@ -513,7 +513,7 @@ TEST(StumpThroughTheMicroprogram, TestCase3InItsNineRegions) {
 // --- Rules and refusals.
 
 // docs/machine/priority_processor.md, "Timing rules": the example, counted by hand from PP7 to
-// PP14.
+// PP9.
 TEST(PriorityProcessor, TheExampleOfTheManualTakesTheCyclesThatItSays) {
   test::fresh_simulation();
   Clock clock("clock", 125);
