@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <streambuf>
 #include <vector>
 
@@ -45,6 +47,29 @@ struct Part {
   }
 };
 
+// vcd2fst does not tell of a full disk, nor of a wave without a cycle; fst2vcd cannot read what it
+// leaves then, or never ends. The file is a row of blocks, each a byte for its kind and eight for
+// its length, which counts these too; the last one is the hierarchy.
+bool complete_fst(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  std::ifstream in(file, std::ios::binary);
+  constexpr std::uintmax_t kLengthBytes = 8;
+  const auto hierarchy = [](int kind) { return kind == 4 || kind == 6 || kind == 7; };
+  int kind = -1;
+  std::uintmax_t at = 0;
+  while (!error && at < size) {
+    in.seekg(static_cast<std::streamoff>(at));
+    kind = in.get();
+    std::uintmax_t length = 0;
+    for (std::uintmax_t i = 0; i < kLengthBytes; ++i)
+      length = length << 8 | static_cast<unsigned char>(in.get());
+    if (!in || length < kLengthBytes || length > size - at - 1) return false;
+    at += 1 + length;
+  }
+  return !error && hierarchy(kind);
+}
+
 void write_packed(const std::filesystem::path& file,
                   const std::function<void(std::ostream&)>& record) {
   std::signal(SIGPIPE, SIG_IGN);  // a program that ended early is an error of writing
@@ -55,11 +80,12 @@ void write_packed(const std::filesystem::path& file,
   std::ostream out(&buffer);
   record(out);
   std::error_code error;
-  const bool complete = pipe.finish() && out.good();
+  const bool complete = pipe.finish() && out.good() && complete_fst(part.file);
   if (complete) std::filesystem::rename(part.file, file, error);
   if (!complete || error)
-    throw InputError(file.string(), 0,
-                     "cannot be written by vcd2fst; check the disk, or take .vcd");
+    throw InputError(
+        file.string(), 0,
+        "is left incomplete by vcd2fst: the disk is full, or the run ended ahead of the window");
 }
 
 std::string_view view_of(Stage stage) {

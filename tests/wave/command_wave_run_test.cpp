@@ -91,6 +91,13 @@ TEST_F(CommandTest, AWaveChangesNoResult) {
   EXPECT_EQ(contents("plain/frame-0000.png"), contents("waved/frame-0000.png"));
 }
 
+TEST_F(CommandTest, AFullDiskLeavesNoFstWave) {
+  if (!has_program("vcd2fst")) GTEST_SKIP() << "vcd2fst (Debian package gtkwave) is missing";
+  expect_unusable(small_run({"--level", "clocked", "--wave", "w.fst", "--wave-cycles", "0:99999"}),
+                  "w.fst: is left incomplete by vcd2fst", {.file_size = 20000, .memory = {}});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "w.fst"));
+}
+
 TEST_F(CommandTest, AnFstWaveEqualsTheVcdWave) {
   const Words words{"--level", "priority_resolver=clocked", "--wave-cycles", "0:300", "--wave"};
   Words fst = words, vcd = words;
