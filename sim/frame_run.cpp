@@ -60,6 +60,7 @@ void run_pipeline(const std::vector<FrameView>& views, const Interrupt& interrup
                   const std::optional<WaveRequest>& wave, const RunRecord& run, Output& output) {
   SystemcMachine machine("cigsim", {.description = run.machine.description,
                                     .overload = run.machine.overload,
+                                    .eye_reach = run.machine.eye_reach,
                                     .levels = run.levels,
                                     .stalls = {}});
   std::size_t fed = 0;

@@ -62,7 +62,8 @@ class FunctionalMachine::Impl {
         stages_(make_stages(options)) {
     picture_.fit(options.raster);  // the display's memory is there before the first frame
     if (options.number == NumberType::kMachine)
-      words_ = std::make_unique<WordStages>(options.description, options.overload);
+      words_ =
+          std::make_unique<WordStages>(options.description, options.overload, options.eye_reach);
   }
 
   const Picture& compute(const Viewpoint& viewpoint, double frame) {

@@ -30,6 +30,7 @@ struct MachineOptions {
   Raster raster;
   MachineDescription description;  ///< for NumberType::kMachine; its raster is `raster`
   OverloadPolicy overload = OverloadPolicy::kDrop;
+  double eye_reach = 0;  ///< for NumberType::kMachine: as coordinate_scale()
 };
 
 /// Keeps its working memory from frame to frame. One thread.

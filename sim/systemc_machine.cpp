@@ -48,7 +48,7 @@ class SystemcMachine::Impl : public sc_core::sc_module {
       : sc_module(name),
         options_(options),
         clock_("clock", options.description.clock_ns),
-        loader_(options.description),
+        loader_(options.description, options.eye_reach),
         start_calculator_("start_calculator", kControlDepth, options.stalls, false, false, clock_),
         calculated_("calculated", kControlDepth, options.stalls, false, false, clock_),
         start_priority_("start_priority", kControlDepth, options.stalls, false,

@@ -29,6 +29,7 @@ struct FrameJob {
 struct PipelineOptions {
   MachineDescription description;
   OverloadPolicy overload = OverloadPolicy::kDrop;
+  double eye_reach = 0;  ///< as coordinate_scale()
   LevelChoice levels;    ///< none functional
   StallFunction stalls;  ///< holds words back on the links (tests)
 };

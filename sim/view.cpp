@@ -120,4 +120,13 @@ std::vector<FrameView> frame_views(const ViewOptions& options, const std::vector
   return frames;
 }
 
+double eye_reach(const std::vector<FrameView>& views) {
+  double reach = 0;
+  for (const FrameView& view : views) {
+    const Vec3& eye = view.viewpoint.eye.position;
+    reach = std::max({reach, std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)});
+  }
+  return reach;
+}
+
 }  // namespace cigsim

@@ -37,6 +37,9 @@ struct FrameView {
 /// The path that the options name. Empty without one. Throws InputError.
 std::vector<PathRow> load_path(const ViewOptions& options);
 
+/// The largest coordinate, either way, of the frames' eyepoints.
+double eye_reach(const std::vector<FrameView>& views);
+
 /// The frames, at least one. What the options leave open comes from the scene: an eye without a
 /// direction looks at the centre of the scene (north, if it stands there), and no eye at all is the
 /// scene's own view. Throws UsageError.

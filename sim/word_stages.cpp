@@ -5,9 +5,9 @@
 
 namespace cigsim {
 
-WordStages::WordStages(const MachineDescription& machine, OverloadPolicy policy)
+WordStages::WordStages(const MachineDescription& machine, OverloadPolicy policy, double eye_reach)
     : machine_(machine),
-      loader_(machine),
+      loader_(machine, eye_reach),
       priority_(machine.object_capacity),
       geometry_(machine),
       orderer_(machine.crossing_capacity, policy) {}

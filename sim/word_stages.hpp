@@ -14,7 +14,8 @@ namespace cigsim {
 
 class WordStages {
  public:
-  WordStages(const MachineDescription& machine, OverloadPolicy policy);
+  /// `eye_reach`: as coordinate_scale().
+  WordStages(const MachineDescription& machine, OverloadPolicy policy, double eye_reach);
 
   /// Computes a frame into `picture` and its figures. `position` places the moving models.
   void compute(const Database& database, const Viewpoint& viewpoint, double position,

@@ -20,22 +20,24 @@ std::uint64_t spheres_tested(const PriorityHierarchy& hierarchy,
 
 }  // namespace
 
-MemoryLoader::Image::Image(const Database& from, const MachineDescription& machine)
+MemoryLoader::Image::Image(const Database& from, const MachineDescription& machine,
+                           double eye_reach)
     : database(&from),
-      scale(coordinate_scale(from, machine.formats)),
+      scale(coordinate_scale(from, machine.formats, eye_reach)),
       priority(from.systems[0].hierarchy, from.systems[0].set.items.size(), scale, machine),
       faces(from.systems[0].set, scale, machine),
       ground(from.ground, scale, machine) {}
 
-MemoryLoader::MemoryLoader(const MachineDescription& machine)
+MemoryLoader::MemoryLoader(const MachineDescription& machine, double eye_reach)
     : machine_(machine),
+      eye_reach_(eye_reach),
       nothing_(PriorityHierarchy(), 0, 0, machine),
       priority_{PriorityBank(nothing_), PriorityBank(nothing_)} {}
 
 Work MemoryLoader::load(const Database& database, const Viewpoint& viewpoint, double position,
                         std::uint32_t frame) {
   if (!image_ || image_->database != &database)
-    image_ = std::make_shared<const Image>(database, machine_);
+    image_ = std::make_shared<const Image>(database, machine_, eye_reach_);
   Side& side = sides_[frame % 2];
   Functional(database).compute(viewpoint, machine_.raster, position, side.active, side.moving);
   auto moving = std::make_unique<FaceMemory>(side.moving, image_->scale, machine_);

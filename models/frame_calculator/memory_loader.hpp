@@ -18,7 +18,8 @@ namespace cigsim::frame_calculator {
 
 class MemoryLoader {
  public:
-  explicit MemoryLoader(const MachineDescription& machine);
+  /// `eye_reach`: as coordinate_scale().
+  MemoryLoader(const MachineDescription& machine, double eye_reach);
 
   /// Calculates a frame into the banks of its parity: `position` places the moving models. A
   /// database's image is made when it comes first and kept while frames of it follow each other; it
@@ -41,7 +42,7 @@ class MemoryLoader {
  private:
   // The database in words.
   struct Image {
-    Image(const Database& database, const MachineDescription& machine);
+    Image(const Database& database, const MachineDescription& machine, double eye_reach);
     const Database* database;
     int scale;
     priority_processor::PriorityMemory priority;
@@ -56,6 +57,7 @@ class MemoryLoader {
   };
 
   MachineDescription machine_;
+  double eye_reach_;
   priority_processor::PriorityMemory nothing_;  ///< what the banks hold before the first frame
   std::shared_ptr<const Image> image_;
   std::array<Side, 2> sides_;

@@ -32,8 +32,10 @@ double round_half_up(double value) {
 
 }  // namespace
 
-int coordinate_scale(const Database& database, const WordFormats& formats) {
-  double most = largest(database.ground.vertices);
+int coordinate_scale(const Database& database, const WordFormats& formats, double eye_reach) {
+  // A little more than half, as the word of the limit itself would saturate.
+  const double half_reach = eye_reach * (0.5 + 0x1p-20);
+  double most = std::max(half_reach, largest(database.ground.vertices));
   for (std::size_t s = 0; s < database.systems.size(); ++s)
     most = std::max(
         most, s == 0 ? largest(database.systems[0].set.vertices) : reach(database.systems[s]));

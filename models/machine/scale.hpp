@@ -9,8 +9,9 @@
 namespace cigsim {
 
 /// The power of two by which coordinates of a database are multiplied: the largest for which all of
-/// its coordinates keep to half the range of a coordinate word.
-int coordinate_scale(const Database& database, const WordFormats& formats);
+/// its coordinates keep to half the range of a coordinate word, and an eyepoint to the whole whose
+/// coordinates go up to `eye_reach` either way (environment units; 0: nothing is known of it).
+int coordinate_scale(const Database& database, const WordFormats& formats, double eye_reach = 0);
 
 /// The word of a coordinate, to nearest, halves up; saturates.
 Word coordinate_word(double value, int scale, const WordFormats& formats, std::uint64_t& overflows);

@@ -126,6 +126,7 @@ int run_command(const Options& options) {
   run.scene = scene.name;
   run.database = &scene.database;
   run.machine = machine_options(options.machine, options.view.raster);
+  run.machine.eye_reach = eye_reach(views);
   run.levels = options.machine.levels;
   run.repeat = options.repeat;
   run.frames_wanted = views.size();

@@ -34,6 +34,19 @@ TEST(Scale, FollowsTheWidthOfTheWord) {
             11);
 }
 
+TEST(Scale, LeavesRoomForTheEye) {
+  const WordFormats formats;
+  for (const double reach : {10.0, 200.0, 201.0, 0x1p20, 1e9}) {
+    const int scale = coordinate_scale(with_vertex(100), formats, reach);
+    std::uint64_t overflows = 0;
+    coordinate_word(reach, scale, formats, overflows);
+    coordinate_word(-reach, scale, formats, overflows);
+    EXPECT_EQ(overflows, 0u) << reach;
+    const int without = coordinate_scale(with_vertex(100), formats);
+    EXPECT_EQ(scale == without, reach <= 255) << reach;  // words are powers of two
+  }
+}
+
 TEST(Scale, AnEmptyDatabaseHasOne) {
   Database database;
   database.systems.resize(1);

@@ -5,6 +5,10 @@
 #include <cstdlib>
 #include <systemc>
 
+// SystemC cannot destroy a simulation that has run.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libsystemc"; }
+
 int sc_main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
