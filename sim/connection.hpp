@@ -17,7 +17,7 @@ class Connection {
   /// `from_pins`, `to_pins`: whether producer and consumer are clocked.
   Connection(const std::string& name, std::uint32_t depth, const StallFunction& stalls,
              bool from_pins, bool to_pins, const Clock& clock)
-      : link(name, depth, stalls), name_(name) {
+      : link(name, depth, stalls) {
     const std::string module = name + "_link";
     if (from_pins && to_pins) {
       both_ = std::make_unique<ClockedLink<T>>(module.c_str(), clock, link);
@@ -38,12 +38,6 @@ class Connection {
   void from(PinOut<T>& pins) { connect(pins, producer_); }
   void to(PinIn<T>& pins) { connect(pins, consumer_); }
 
-  /// Pins on either side, under the link's name.
-  void trace(sc_core::sc_trace_file* file) const {
-    if (both_ || sink_) trace(file, producer_, name_ + ".in");
-    if (both_ || source_) trace(file, consumer_, name_ + ".out");
-  }
-
  private:
   template <class Pins>
   static void connect(Pins& pins, Wires<T>& wires) {
@@ -51,13 +45,7 @@ class Connection {
     pins.word(wires.word);
     pins.ready(wires.ready);
   }
-  static void trace(sc_core::sc_trace_file* file, const Wires<T>& wires, const std::string& name) {
-    sc_trace(file, wires.valid, name + ".valid");
-    sc_trace(file, wires.ready, name + ".ready");
-    sc_trace(file, wires.word, name + ".word");
-  }
 
-  std::string name_;
   std::unique_ptr<ClockedLink<T>> both_;
   std::unique_ptr<PinsToLink<T>> sink_;
   std::unique_ptr<LinkToPins<T>> source_;

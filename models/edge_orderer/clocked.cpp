@@ -5,6 +5,8 @@
 #include <cassert>
 #include <limits>
 
+#include "models/boundary/tracer.hpp"
+
 namespace cigsim::edge_orderer {
 namespace {
 
@@ -46,31 +48,23 @@ Clocked::Clocked(sc_core::sc_module_name name, const MachineDescription& machine
 }
 
 void Clocked::trace(sc_core::sc_trace_file* file) const {
-  const std::string scope = std::string(name()) + ".";
-  const auto pins = [&](const auto& bundle, const std::string& of) {
-    sc_trace(file, bundle.valid.read(), scope + of + "_valid");
-    sc_trace(file, bundle.ready.read(), scope + of + "_ready");
-    sc_trace(file, bundle.word.read(), scope + of + "_word");
-  };
-  pins(edges, "edges");
-  pins(loaded, "loaded");
-  pins(start, "start");
-  pins(crossings, "crossings");
-  const auto value = [&](const std::uint32_t& object, const std::string& of, int bits) {
-    sc_core::sc_trace(file, object, scope + of, bits);
-  };
-  value(load_frame_, "load_frame", 32);
-  value(load_place_, "load_place", 32);
-  value(fill_, "fill", 3);
-  value(line_, "line", 14);
-  value(passes_left_, "passes_left", 16);
-  value(remaining_, "remaining", 32);
-  value(fill_memory_, "fill_memory", 1);
-  value(registers_.limit, "limit", 32);
-  value(drain_memory_, "drain_memory", 1);
-  value(drain_line_, "drain_line", 14);
-  value(memories_[0].held(), "held_0", 16);
-  value(memories_[1].held(), "held_1", 16);
+  const Tracer show(file, *this);
+  show.pins(edges, "edges");
+  show.pins(loaded, "loaded");
+  show.pins(start, "start");
+  show.pins(crossings, "crossings");
+  show.state(load_frame_, "load_frame", 32);
+  show.state(load_place_, "load_place", 32);
+  show.state(fill_, "fill", 3);
+  show.state(line_, "line", 14);
+  show.state(passes_left_, "passes_left", 16);
+  show.state(remaining_, "remaining", 32);
+  show.state(fill_memory_, "fill_memory", 1);
+  show.state(registers_.limit, "limit", 32);
+  show.state(drain_memory_, "drain_memory", 1);
+  show.state(drain_line_, "drain_line", 14);
+  show.state(memories_[0].held(), "held_0", 16);
+  show.state(memories_[1].held(), "held_1", 16);
 }
 
 // EO5, EO6.

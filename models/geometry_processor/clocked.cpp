@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "models/boundary/tracer.hpp"
 #include "models/geometry_processor/program.hpp"
 
 namespace cigsim::geometry_processor {
@@ -532,40 +533,29 @@ void Clocked::sleep(const Instruction& next) {
 }
 
 void Clocked::trace(sc_core::sc_trace_file* file) const {
-  const std::string scope = std::string(name()) + ".";
-  const auto pin = [&](const auto& value, const std::string& name) {
-    sc_trace(file, value.read(), scope + name);
-  };
-  const auto state = [&](const auto& value, const std::string& name) {
-    sc_core::sc_trace(file, value, scope + name);
-  };
-  const auto pins = [&](const auto& bundle, const std::string& name) {
-    pin(bundle.valid, name + "_valid");
-    pin(bundle.ready, name + "_ready");
-    pin(bundle.word, name + "_word");
-  };
-  pins(start, "start");
-  pins(items, "items");
-  pins(edges, "edges");
-  pins(faces, "faces");
-  state(address_, "microaddress");
-  state(accumulator_, "accumulator");
-  state(divider_.result_register(), "quotient");
-  state(divider_.clocks_left(), "divider_clocks");
-  state(ip_, "ip");
-  state(fp_, "fp");
-  state(vp_, "vp");
-  state(va_, "va");
-  state(lr_, "lr");
-  state(lw_, "lw");
-  state(k_, "k");
-  state(code_, "code");
-  state(any_, "any");
-  state(all_, "all");
-  state(plane_, "plane");
-  state(faces_left_, "faces_left");
-  state(edges_put_, "edges_put");
-  state(faces_put_, "faces_put");
+  const Tracer show(file, *this);
+  show.pins(start, "start");
+  show.pins(items, "items");
+  show.pins(edges, "edges");
+  show.pins(faces, "faces");
+  show.state(address_, "microaddress");
+  show.state(accumulator_, "accumulator");
+  show.state(divider_.result_register(), "quotient");
+  show.state(divider_.clocks_left(), "divider_clocks");
+  show.state(ip_, "ip");
+  show.state(fp_, "fp");
+  show.state(vp_, "vp");
+  show.state(va_, "va");
+  show.state(lr_, "lr");
+  show.state(lw_, "lw");
+  show.state(k_, "k");
+  show.state(code_, "code");
+  show.state(any_, "any");
+  show.state(all_, "all");
+  show.state(plane_, "plane");
+  show.state(faces_left_, "faces_left");
+  show.state(edges_put_, "edges_put");
+  show.state(faces_put_, "faces_put");
 }
 
 }  // namespace cigsim::geometry_processor

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "firmware/programs.hpp"
+#include "models/boundary/tracer.hpp"
 
 namespace cigsim::priority_processor {
 namespace {
@@ -384,35 +385,24 @@ void Clocked::sleep(const Instruction& next) {
 }
 
 void Clocked::trace(sc_core::sc_trace_file* file) const {
-  const std::string scope = std::string(name()) + ".";
-  const auto pin = [&](const auto& value, const std::string& name) {
-    sc_trace(file, value.read(), scope + name);
-  };
-  const auto state = [&](const auto& value, const std::string& name) {
-    sc_core::sc_trace(file, value, scope + name);
-  };
-  const auto pins = [&](const auto& bundle, const std::string& name) {
-    pin(bundle.valid, name + "_valid");
-    pin(bundle.ready, name + "_ready");
-    pin(bundle.word, name + "_word");
-  };
-  pins(start, "start");
-  pins(items, "items");
-  state(address_, "microaddress");
-  state(mar_, "mar");
-  state(bar_, "bar");
-  state(t_, "t");
-  state(accumulator_, "accumulator");
-  state(mask_, "mask");
-  state(rest_, "rest");
-  state(planes_, "planes");
-  state(listed_, "listed");
-  state(largest_, "largest");
-  state(twice_, "twice");
-  state(rank_, "rank");
-  state(level_, "level");
-  state(group_, "group");
-  state(put_items_, "items_put");
+  const Tracer show(file, *this);
+  show.pins(start, "start");
+  show.pins(items, "items");
+  show.state(address_, "microaddress");
+  show.state(mar_, "mar");
+  show.state(bar_, "bar");
+  show.state(t_, "t");
+  show.state(accumulator_, "accumulator");
+  show.state(mask_, "mask");
+  show.state(rest_, "rest");
+  show.state(planes_, "planes");
+  show.state(listed_, "listed");
+  show.state(largest_, "largest");
+  show.state(twice_, "twice");
+  show.state(rank_, "rank");
+  show.state(level_, "level");
+  show.state(group_, "group");
+  show.state(put_items_, "items_put");
 }
 
 }  // namespace cigsim::priority_processor

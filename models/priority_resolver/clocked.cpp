@@ -5,6 +5,8 @@
 #include <bit>
 #include <cassert>
 
+#include "models/boundary/tracer.hpp"
+
 namespace cigsim::priority_resolver {
 
 Clocked::Clocked(sc_core::sc_module_name name, const MachineDescription& machine, const Clock& time,
@@ -184,26 +186,15 @@ std::uint32_t Clocked::encoder() const {
 }
 
 void Clocked::trace(sc_core::sc_trace_file* file) const {
-  const std::string scope = std::string(name()) + ".";
-  const auto pin = [&](const auto& value, const std::string& name) {
-    sc_trace(file, value.read(), scope + name);
-  };
-  const auto state = [&](const auto& value, const std::string& name) {
-    sc_core::sc_trace(file, value, scope + name);
-  };
-  const auto pins = [&](const auto& bundle, const std::string& name) {
-    pin(bundle.valid, name + "_valid");
-    pin(bundle.ready, name + "_ready");
-    pin(bundle.word, name + "_word");
-  };
-  pins(crossings, "crossings");
-  pins(spans, "spans");
-  pin(closing_wait_, "closing_wait");
-  state(at_, "at");
-  state(start_, "start");
-  state(shown_, "shown");
-  state(line_, "line");
-  state(active_count_, "active_count");
+  const Tracer show(file, *this);
+  show.pins(crossings, "crossings");
+  show.pins(spans, "spans");
+  show.pin(closing_wait_, "closing_wait");
+  show.state(at_, "at");
+  show.state(start_, "start");
+  show.state(shown_, "shown");
+  show.state(line_, "line");
+  show.state(active_count_, "active_count");
 }
 
 }  // namespace cigsim::priority_resolver

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "models/boundary/tracer.hpp"
+
 namespace cigsim::video_processor {
 
 Clocked::Clocked(sc_core::sc_module_name name, const MachineDescription& machine, const Clock& time,
@@ -173,32 +175,21 @@ void Clocked::set_video() {
 }
 
 void Clocked::trace(sc_core::sc_trace_file* file) const {
-  const std::string scope = std::string(name()) + ".";
-  const auto pin = [&](const auto& value, const std::string& name) {
-    sc_trace(file, value.read(), scope + name);
-  };
-  const auto state = [&](const auto& value, const std::string& name) {
-    sc_core::sc_trace(file, value, scope + name);
-  };
-  const auto pins = [&](const auto& bundle, const std::string& name) {
-    pin(bundle.valid, name + "_valid");
-    pin(bundle.ready, name + "_ready");
-    pin(bundle.word, name + "_word");
-  };
-  pins(faces, "faces");
-  pins(loaded, "loaded");
-  pins(start, "start");
-  pins(spans, "spans");
-  pins(shown, "shown");
-  pin(video_on, "video_on");
-  pin(video_line, "video_line");
-  pin(video_element, "video_element");
-  pin(video_colour, "video_colour");
-  state(frame_, "frame");
-  state(filled_, "lines_filled");
-  state(line_, "line");
-  state(buffers_[0].complete, "buffer0_complete");
-  state(buffers_[1].complete, "buffer1_complete");
+  const Tracer show(file, *this);
+  show.pins(faces, "faces");
+  show.pins(loaded, "loaded");
+  show.pins(start, "start");
+  show.pins(spans, "spans");
+  show.pins(shown, "shown");
+  show.pin(video_on, "video_on");
+  show.pin(video_line, "video_line");
+  show.pin(video_element, "video_element");
+  show.pin(video_colour, "video_colour");
+  show.state(frame_, "frame");
+  show.state(filled_, "lines_filled");
+  show.state(line_, "line");
+  show.state(buffers_[0].complete, "buffer0_complete");
+  show.state(buffers_[1].complete, "buffer1_complete");
 }
 
 }  // namespace cigsim::video_processor
