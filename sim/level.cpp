@@ -100,6 +100,7 @@ LevelChoice LevelChoice::parse(const std::string& text) {
     return choice;
   }
   choice.levels_.fill(Level::kTimed);
+  std::vector<Stage> named;
   std::string_view rest = text;
   for (bool more = true; more;) {
     const std::size_t comma = rest.find(',');
@@ -118,6 +119,9 @@ LevelChoice LevelChoice::parse(const std::string& text) {
                       "do; take timed, or --level functional for all",
                       name_of(stage)));
     if (!exists(stage, level)) fail_on_missing(name_of(stage), level);
+    if (std::find(named.begin(), named.end(), stage) != named.end())
+      throw UsageError(fmt::format("--level: {} is named twice", name_of(stage)));
+    named.push_back(stage);
     choice[stage] = level;
   }
   return choice;

@@ -35,7 +35,7 @@ TEST(Levels, WhatDoesNotExistIsRefused) {
   for (const char* text :
        {"", "slow", "clocked,", "frame_calculator=clocked", "video_processor=rtl", "rtl",
         "painter=timed", "edge_orderer", "edge_orderer=timed,", "edge_orderer=functional",
-        "edge_orderer==timed"}) {
+        "edge_orderer==timed", "edge_orderer=timed,edge_orderer=clocked"}) {
     EXPECT_THROW(LevelChoice::parse(text), UsageError) << text;
   }
 }
