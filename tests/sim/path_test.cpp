@@ -79,7 +79,8 @@ TEST(Path, FramesAreSpreadEvenlyFromTheFirstRowToTheLast) {
 }
 
 TEST(Path, BuiltInApproachCanBeFlown) {
-  EXPECT_GT(parse_path(embedded_airfield_approach(), "built-in").size(), 100u);
+  const std::string_view approach = embedded_text(embedded_scenes(), "airfield-approach.csv");
+  EXPECT_GT(parse_path(approach, "built-in").size(), 100u);
 }
 
 }  // namespace
