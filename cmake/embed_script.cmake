@@ -1,13 +1,16 @@
-# Run by embed_files (embed.cmake): turns FILES into the C++ file OUTPUT, which includes HEADER.
-set(CODE "#include \"${HEADER}\"\n\nnamespace cigsim {\n")
+# Run by embed_files (embed.cmake): turns FILES, below BASE, into the C++ file OUTPUT with the
+# function embedded_NAME.
+set(TEXTS "")
+set(TABLE "")
 foreach(FILE IN LISTS FILES)
-  get_filename_component(NAME ${FILE} NAME_WE)
-  string(MAKE_C_IDENTIFIER ${NAME} NAME)
-  file(READ ${FILE} BYTES HEX)
+  string(MAKE_C_IDENTIFIER ${FILE} TEXT)
+  file(READ ${BASE}/${FILE} BYTES HEX)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," BYTES "${BYTES}")
-  string(APPEND CODE
-    "static constexpr char k_${NAME}[] = {${BYTES}};\n"
-    "std::string_view embedded_${NAME}() { return {k_${NAME}, sizeof k_${NAME}}; }\n")
+  # A byte more, so that an empty file is an array too.
+  string(APPEND TEXTS "constexpr char k_${TEXT}[] = {${BYTES}0};\n")
+  string(APPEND TABLE "    {\"${FILE}\", {k_${TEXT}, sizeof k_${TEXT} - 1}},\n")
 endforeach()
-string(APPEND CODE "}  // namespace cigsim\n")
-file(WRITE ${OUTPUT} "${CODE}")
+file(WRITE ${OUTPUT}
+  "#include \"common/embedded_file.hpp\"\n\nnamespace cigsim {\nnamespace {\n${TEXTS}"
+  "constexpr EmbeddedFile kFiles[] = {\n${TABLE}};\n}  // namespace\n"
+  "std::span<const EmbeddedFile> embedded_${NAME}() { return kFiles; }\n}  // namespace cigsim\n")

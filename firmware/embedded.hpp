@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The sources of the microprograms, which the build puts into the library (embed.cmake).
+// The sources of the microprograms that the library carries: STAGE/format.fmt and
+// STAGE/microprogram.mas.
 #pragma once
 
-#include <span>
-#include <string_view>
+#include "common/embedded_file.hpp"
 
-namespace cigsim::firmware {
+namespace cigsim {
 
-struct EmbeddedProgram {
-  std::string_view stage, format, program;
-};
+std::span<const EmbeddedFile> embedded_firmware();
 
-std::span<const EmbeddedProgram> embedded_programs();
-
-}  // namespace cigsim::firmware
+}  // namespace cigsim

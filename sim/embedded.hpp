@@ -2,11 +2,11 @@
 // The files of scenes/ that the program carries, so that it shows something without any file.
 #pragma once
 
-#include <string_view>
+#include "common/embedded_file.hpp"
 
 namespace cigsim {
 
-std::string_view embedded_airfield();           ///< scenes/airfield.json
-std::string_view embedded_airfield_approach();  ///< scenes/airfield-approach.csv
+/// "airfield.json" and "airfield-approach.csv".
+std::span<const EmbeddedFile> embedded_scenes();
 
 }  // namespace cigsim

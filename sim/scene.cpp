@@ -108,7 +108,10 @@ Database prepare_scene(const ReadResult& scene, const std::string& name,
 
 LoadedScene load_scene(const std::optional<std::filesystem::path>& file,
                        const PreparationChoices& choices) {
-  if (!file) return prepared(kBuiltIn, parse_json(embedded_airfield(), kBuiltIn), choices);
+  if (!file) {
+    const std::string_view airfield = embedded_text(embedded_scenes(), "airfield.json");
+    return prepared(kBuiltIn, parse_json(airfield, kBuiltIn), choices);
+  }
   if (!is_database(*file)) return prepared(file->string(), read_environment(*file), choices);
   if (choices.sun)
     throw UsageError("--sun: " + file->string() +

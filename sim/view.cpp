@@ -98,7 +98,8 @@ void add_view_options(CLI::App& command, ViewOptions& o) {
 std::vector<PathRow> load_path(const ViewOptions& options) {
   if (!options.path) return {};
   if (*options.path == "builtin")
-    return parse_path(embedded_airfield_approach(), "built-in approach");
+    return parse_path(embedded_text(embedded_scenes(), "airfield-approach.csv"),
+                      "built-in approach");
   return read_path(*options.path);
 }
 

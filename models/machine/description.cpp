@@ -22,14 +22,12 @@ const std::vector<std::string>& machine_presets() {
 }
 
 MachineDescription machine_preset(std::string_view name) {
-  const auto parsed = [](std::string_view text, const std::string& file) {
-    return parse_machine(text, file + ".json");
-  };
-  if (name == "nasa1968") return parsed(embedded_nasa1968(), "nasa1968");
-  if (name == "asupt1975") return parsed(embedded_asupt1975(), "asupt1975");
-  if (name == "unlimited") return parsed(embedded_unlimited(), "unlimited");
   std::string known;
-  for (const std::string& preset : machine_presets()) known += (known.empty() ? "" : ", ") + preset;
+  for (const std::string& preset : machine_presets()) {
+    const std::string file = preset + ".json";
+    if (preset == name) return parse_machine(embedded_text(embedded_presets(), file), file);
+    known += (known.empty() ? "" : ", ") + preset;
+  }
   throw std::invalid_argument("there is no machine \"" + std::string(name) +
                               "\"; the presets are " + known);
 }

@@ -2,12 +2,10 @@
 // The machine descriptions that the library carries: the files of models/machine/presets/.
 #pragma once
 
-#include <string_view>
+#include "common/embedded_file.hpp"
 
 namespace cigsim {
 
-std::string_view embedded_nasa1968();
-std::string_view embedded_asupt1975();
-std::string_view embedded_unlimited();
+std::span<const EmbeddedFile> embedded_presets();
 
 }  // namespace cigsim

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The saved views of waves/ that the program carries, a stage each.
+// The saved views that the program carries: the files of waves/.
 #pragma once
 
-#include <string_view>
+#include "common/embedded_file.hpp"
 
 namespace cigsim {
 
-std::string_view embedded_priority_processor();
-std::string_view embedded_geometry_processor();
-std::string_view embedded_edge_orderer();
-std::string_view embedded_priority_resolver();
-std::string_view embedded_video_processor();
+/// "STAGE.gtkw" of each stage with a clocked level.
+std::span<const EmbeddedFile> embedded_views();
 
 }  // namespace cigsim

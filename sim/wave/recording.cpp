@@ -88,31 +88,13 @@ void write_packed(const std::filesystem::path& file,
         "is left incomplete by vcd2fst: the disk is full, or the run ended ahead of the window");
 }
 
-std::string_view view_of(Stage stage) {
-  switch (stage) {
-    case Stage::kPriorityProcessor:
-      return embedded_priority_processor();
-    case Stage::kGeometryProcessor:
-      return embedded_geometry_processor();
-    case Stage::kEdgeOrderer:
-      return embedded_edge_orderer();
-    case Stage::kPriorityResolver:
-      return embedded_priority_resolver();
-    case Stage::kVideoProcessor:
-      return embedded_video_processor();
-    case Stage::kFrameCalculator:
-      break;
-  }
-  return {};
-}
-
 // The stages' views one below the other, the clock once, under the name of the file.
 std::string saved_view(const WaveRequest& request) {
   constexpr std::string_view kClock = "@28\ncigsim.clock\n";
   std::string text = fmt::format("[dumpfile] \"{}\"\n[timestart] 0\n{}",
                                  std::filesystem::absolute(request.file).string(), kClock);
   for (const Stage stage : request.stages) {
-    std::string_view view = view_of(stage);
+    std::string_view view = embedded_text(embedded_views(), std::string(name_of(stage)) + ".gtkw");
     const std::size_t clock = view.find(kClock);
     if (clock != std::string_view::npos) view.remove_prefix(clock + kClock.size());
     text += view;
