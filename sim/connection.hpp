@@ -21,31 +21,24 @@ class Connection {
     const std::string module = name + "_link";
     if (from_pins && to_pins) {
       both_ = std::make_unique<ClockedLink<T>>(module.c_str(), clock, link);
-      connect(both_->in, producer_);
-      connect(both_->out, consumer_);
+      producer_.connect(both_->in);
+      consumer_.connect(both_->out);
     } else if (from_pins) {
       sink_ = std::make_unique<PinsToLink<T>>(module.c_str(), clock, link);
-      connect(sink_->in, producer_);
+      producer_.connect(sink_->in);
     } else if (to_pins) {
       source_ = std::make_unique<LinkToPins<T>>(module.c_str(), clock, link);
-      connect(source_->out, consumer_);
+      consumer_.connect(source_->out);
     }
   }
 
   Link<T> link;
 
   /// Connects the pins of a clocked producer or consumer.
-  void from(PinOut<T>& pins) { connect(pins, producer_); }
-  void to(PinIn<T>& pins) { connect(pins, consumer_); }
+  void from(PinOut<T>& pins) { producer_.connect(pins); }
+  void to(PinIn<T>& pins) { consumer_.connect(pins); }
 
  private:
-  template <class Pins>
-  static void connect(Pins& pins, Wires<T>& wires) {
-    pins.valid(wires.valid);
-    pins.word(wires.word);
-    pins.ready(wires.ready);
-  }
-
   std::unique_ptr<ClockedLink<T>> both_;
   std::unique_ptr<PinsToLink<T>> sink_;
   std::unique_ptr<LinkToPins<T>> source_;

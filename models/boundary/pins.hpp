@@ -42,12 +42,15 @@ struct Wires {
 
   Wires() = default;
   Wires(PinOut<T>& from, PinIn<T>& to) {
-    from.valid(valid);
-    from.word(word);
-    from.ready(ready);
-    to.valid(valid);
-    to.word(word);
-    to.ready(ready);
+    connect(from);
+    connect(to);
+  }
+  /// Connects one end: a PinOut or a PinIn.
+  template <class Pins>
+  void connect(Pins& pins) {
+    pins.valid(valid);
+    pins.word(word);
+    pins.ready(ready);
   }
 };
 
