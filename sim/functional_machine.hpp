@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 
 #include "models/boundary/transactions.hpp"
 #include "models/database/database.hpp"

@@ -9,7 +9,6 @@
 // (Stump 1986, ch. III: a plane resolves each pair of objects on its two sides).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 
 #include "models/boundary/tracer.hpp"
 #include "models/geometry_processor/program.hpp"

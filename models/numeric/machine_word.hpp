@@ -58,9 +58,4 @@ inline Accumulator round_shift(Accumulator value, int shift) {
   return shift == 0 ? value : (value + (Accumulator{1} << (shift - 1))) >> shift;
 }
 
-/// Rounds a container with `fraction` fraction bits to `kept` of them; the others become zero.
-inline Accumulator keep_fraction(Accumulator value, int fraction, int kept) {
-  return round_shift(value, fraction - kept) << (fraction - kept);
-}
-
 }  // namespace cigsim

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <string>
 
 #include "firmware/programs.hpp"
 #include "models/boundary/tracer.hpp"

@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <span>
 
 #include "models/database/database.hpp"
 

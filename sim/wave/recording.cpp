@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <streambuf>
-#include <vector>
 
 #include "models/environment/input_error.hpp"
 #include "models/environment/text_file.hpp"

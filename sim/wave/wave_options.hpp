@@ -3,9 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
