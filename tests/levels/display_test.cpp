@@ -281,15 +281,12 @@ TEST(Display, EveryMixOfLevelsShowsTheFunctionalPicturesInTheSameCycles) {
     for (unsigned mix = 0; mix < kMixes; ++mix)
       benches.push_back(std::make_unique<Bench>(*cases.back(), mix, clock));
   }
-  sc_core::sc_start();  // the timed ones
-  Cycle last = 0;
-  for (unsigned seed = 0; seed < kCases; ++seed) {
-    ASSERT_FALSE(benches[seed * kMixes]->shown.history.empty());
-    last = std::max(last, benches[seed * kMixes]->shown.history.back().taken);
-  }
-  clock.start();
-  sc_core::sc_start(static_cast<double>(last + 10) * clock.period());
-  clock.stop();
+  test::run_timed_then_clocked(clock, [&] {
+    Cycle last = 0;
+    for (unsigned seed = 0; seed < kCases; ++seed)
+      last = std::max(last, test::last_taken(benches[seed * kMixes]->shown.history));
+    return last;
+  });
   for (unsigned seed = 0; seed < kCases; ++seed) {
     const Bench& timed = *benches[seed * kMixes];
     std::vector<Shown> expected = functional_pictures(*cases[seed]);

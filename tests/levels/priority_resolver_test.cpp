@@ -8,39 +8,14 @@
 #include "models/priority_resolver/clocked.hpp"
 #include "models/priority_resolver/functional.hpp"
 #include "models/priority_resolver/timed.hpp"
+#include "tests/levels/resolver_case.hpp"
 #include "tests/support/fresh_simulation.hpp"
-#include "tests/support/random_lines.hpp"
 #include "tests/support/stage_bench.hpp"
 
 namespace cigsim::priority_resolver {
 namespace {
 
-using test::History;
-
-/// What a case is about: frames of lines.
-struct Case {
-  Case() = default;
-  explicit Case(unsigned seed) : waits(seed) {
-    std::mt19937 random(seed);
-    const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
-    machine.raster.width = static_cast<int>(below(4) == 0 ? 1 + below(3) : 1 + below(70));
-    machine.raster.height = static_cast<int>(1 + below(5));
-    crossing_depth = 1 + below(below(2) ? 3 : 20);
-    span_depth = 1 + below(below(2) ? 3 : 20);
-    frames = 1 + below(3);
-    const std::uint32_t faces = 1 + below(below(3) ? 12 : 300), most = below(2) ? 4 : 30;
-    for (std::uint32_t l = 0; l < frames * static_cast<std::uint32_t>(machine.raster.height); ++l)
-      lines.push_back(test::random_line(random, faces, most, width()));
-    for (const auto& line : lines) words.insert(words.end(), line.begin(), line.end());
-  }
-  std::uint16_t width() const { return static_cast<std::uint16_t>(machine.raster.width); }
-
-  MachineDescription machine;
-  std::uint32_t crossing_depth = 16, span_depth = 16, frames = 1;
-  std::vector<std::vector<CrossingWord>> lines;
-  std::vector<CrossingWord> words;
-  test::Waits waits = test::Waits::none();
-};
+using Case = test::ResolverCase;
 
 std::vector<Span> functional_spans(Functional& resolver, const std::vector<CrossingWord>& line,
                                    std::uint16_t width) {
@@ -124,15 +99,11 @@ TEST(PriorityResolver, TimedAndClockedGiveTheFunctionalSpansInTheSameCycles) {
     timed.push_back(std::make_unique<Bench>(*cases.back(), false, clock));
     clocked.push_back(std::make_unique<Bench>(*cases.back(), true, clock));
   }
-  sc_core::sc_start();  // the timed ones
-  Cycle last = 0;
-  for (const auto& bench : timed) {
-    ASSERT_FALSE(bench->spans.history.empty());
-    last = std::max(last, bench->spans.history.back().taken);
-  }
-  clock.start();
-  sc_core::sc_start(static_cast<double>(last + 10) * clock.period());
-  clock.stop();
+  test::run_timed_then_clocked(clock, [&] {
+    Cycle last = 0;
+    for (const auto& bench : timed) last = std::max(last, test::last_taken(bench->spans.history));
+    return last;
+  });
 
   Functional resolver;
   for (unsigned seed = 0; seed < kCases; ++seed) {

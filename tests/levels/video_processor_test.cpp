@@ -314,15 +314,11 @@ TEST(VideoProcessor, TimedAndClockedGiveTheFunctionalPicturesInTheSameCycles) {
     timed.push_back(std::make_unique<Bench>(*cases.back(), false, clock));
     clocked.push_back(std::make_unique<Bench>(*cases.back(), true, clock));
   }
-  sc_core::sc_start();  // the timed ones
-  Cycle last = 0;
-  for (const auto& bench : timed) {
-    ASSERT_FALSE(bench->shown.history.empty());
-    last = std::max(last, bench->shown.history.back().taken);
-  }
-  clock.start();
-  sc_core::sc_start(static_cast<double>(last + 10) * clock.period());
-  clock.stop();
+  test::run_timed_then_clocked(clock, [&] {
+    Cycle last = 0;
+    for (const auto& bench : timed) last = std::max(last, test::last_taken(bench->shown.history));
+    return last;
+  });
 
   for (unsigned seed = 0; seed < kCases; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -12,6 +12,7 @@
 
 #include "models/boundary/trace_words.hpp"
 #include "models/boundary/transactors.hpp"
+#include "models/environment/random.hpp"
 
 namespace cigsim::test {
 
@@ -42,12 +43,8 @@ class Waits {
   }
 
  private:
-  static std::uint64_t mix(std::uint64_t x) {
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-  }
+  static std::uint64_t mix(std::uint64_t x) { return Random(x).bits(); }
+
   unsigned seed_;
   bool none_ = false;
 };
@@ -122,6 +119,22 @@ class Drain : public sc_core::sc_module {
   Link<T>& link_;
   Waits waits_;
 };
+
+/// The cycle in which the last word was taken; -1: there was none.
+template <class T>
+Cycle last_taken(const History<T>& history) {
+  return history.empty() ? -1 : history.back().taken;
+}
+
+/// Runs what is timed to its end, and then the clock, for what is clocked, until shortly after the
+/// cycle that `last` tells by then.
+template <class Last>
+void run_timed_then_clocked(Clock& clock, Last last) {
+  sc_core::sc_start();
+  clock.start();
+  sc_core::sc_start(static_cast<double>(last() + 10) * clock.period());
+  clock.stop();
+}
 
 /// Owns the modules and wires of a bench.
 class Parts {
