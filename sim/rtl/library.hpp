@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Finds, or builds, the library of an RTL variant: among the sizes that ship with the program,
+// among those built before, or with Verilator now.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "sim/rtl/variant.hpp"
+
+namespace cigsim {
+
+/// A line for the user, without an end of line.
+using Say = std::function<void(const std::string&)>;
+
+/// Says on standard error.
+void say_on_stderr(const std::string& line);
+
+/// The library that holds `variant`: of exactly this size where possible. What is built goes into
+/// the folder that CIGSIM_RTL_CACHE names (default: cigsim/rtl in the user's cache folder), under a
+/// name that has a hash of its sources, so that it is built once. Where Verilator or the compiler
+/// is missing or fails, the nearest larger size that ships is taken, and said. Throws UsageError
+/// where there is none either.
+std::filesystem::path rtl_library(const RtlVariant& variant, const Say& say);
+
+}  // namespace cigsim
