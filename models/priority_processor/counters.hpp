@@ -4,6 +4,10 @@
 // counts that are not unique are a listability fault.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
+
 #include "models/priority_processor/group_order.hpp"
 
 namespace cigsim::priority_processor {

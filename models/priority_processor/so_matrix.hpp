@@ -5,6 +5,10 @@
 // (R, zero where S is zero).
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
+
 #include "models/priority_processor/group_order.hpp"
 
 namespace cigsim::priority_processor {
