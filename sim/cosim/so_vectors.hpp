@@ -56,8 +56,8 @@ struct SoVectorResult {
 /// loaded or a contract of the RTL is broken, std::invalid_argument when an option cannot be.
 SoVectorResult run_so_vectors(const SoVectorOptions& options);
 
-/// One case alone, its rows written and then answered once: a mismatch again. `vectors` of the
-/// options does not count.
+/// A mismatch comes again at the same cycle with the same options. This is one case alone, its rows
+/// written and then answered once; `vectors` of the options does not count.
 SoVectorResult replay_so_case(const SoVectorOptions& options, const SoCase& inputs);
 
 }  // namespace cigsim::cosim
