@@ -6,6 +6,7 @@
 #include <string>
 
 #include "models/boundary/tracer.hpp"
+#include "models/boundary/wave_part.hpp"
 #include "rtl/priority_resolver/priority_resolver.pins.hpp"
 
 namespace cigsim::priority_resolver {
@@ -42,17 +43,24 @@ void Rtl::set_ready() {
   crossings.ready.write(pins.crossings_ready_o);
 }
 
-void Rtl::edge() {
-  count(time_.cycle());
+void Rtl::drive() {
   Pins& pins = model_.pins<Pins>();
   const CrossingWord& word = crossings.word.read();
-  const bool taken = crossings.valid.read() && crossings.ready.read();
   pins.crossings_valid_i = crossings.valid.read();
   pins.crossings_face_i = word.face;
   pins.crossings_element_i = word.element;
   pins.crossings_left_i = word.left;
   pins.crossings_end_i = word.end;
   pins.crossings_cut_i = word.cut;
+  pins.spans_ready_i = spans.ready.read();
+}
+
+void Rtl::edge() {
+  count(time_.cycle());
+  const Pins& pins = model_.pins<Pins>();
+  const CrossingWord& word = crossings.word.read();
+  const bool taken = crossings.valid.read() && crossings.ready.read();
+  drive();
   model_.edge();
 
   if (pins.mon_too_small_o)
@@ -115,10 +123,11 @@ void Rtl::finish(Cycle now) {
   in_frame_ = false;
 }
 
-void Rtl::trace(sc_core::sc_trace_file* file) const {
+void Rtl::trace(sc_core::sc_trace_file* file) {
   const Tracer show(file, *this);
   show.pins(crossings, "crossings");
   show.pins(spans, "spans");
+  trace_rtl(file, *this, model_, [this] { drive(); });
 }
 
 }  // namespace cigsim::priority_resolver

@@ -27,10 +27,11 @@ class Rtl : public sc_core::sc_module {
   PinIn<CrossingWord> crossings{"crossings"};
   PinOut<SpanWord> spans{"spans"};
 
-  void trace(sc_core::sc_trace_file* file) const;
+  void trace(sc_core::sc_trace_file* file);
   RtlModel& model() { return model_; }
 
  private:
+  void drive();
   void edge();
   void set_ready();
   void count(Cycle now);

@@ -15,9 +15,11 @@ namespace {
 
 constexpr int kReal = 64;
 
-// Short names of characters from ! to ~, the first ones the shortest.
+constexpr char kPart = '~';  // in the codes of parts only
+
+// Short names of characters from ! to }, the first ones the shortest.
 std::string code_of(std::size_t index) {
-  constexpr std::size_t kCharacters = '~' - '!' + 1;
+  constexpr std::size_t kCharacters = kPart - '!';
   std::string code;
   for (++index; index > 0; index /= kCharacters) {
     --index;
@@ -70,32 +72,48 @@ void VcdWriter::refuse(const std::string& name) {
   throw std::logic_error(name + ": waves show bits and numbers only");
 }
 
+void VcdWriter::add_part(const std::string& scope, std::unique_ptr<WavePart> part) {
+  parts_.emplace_back(scope, kPart + code_of(parts_.size()) + kPart, std::move(part));
+}
+
 void VcdWriter::declare() {
-  // Scope by scope, so that none is opened twice.
-  std::stable_sort(values_.begin(), values_.end(), [](const Value& a, const Value& b) {
-    return scopes_of(a.name) < scopes_of(b.name);
-  });
+  std::vector<RtlPart::Variable> variables;
+  const auto range = [](int width) {
+    return width > 1 ? fmt::format("[{}:0]", width - 1) : std::string();
+  };
+  variables.push_back({clock_, "wire", "1", "", clock_code_});
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    Value& value = values_[i];
+    value.code = code_of(i + 1);
+    variables.push_back({value.name, value.real ? "real" : "wire", std::to_string(value.width),
+                         value.real ? "" : range(value.width), value.code});
+  }
+  for (RtlPart& part : parts_)
+    for (RtlPart::Variable& variable : part.declare(clock_code_))
+      variables.push_back(std::move(variable));
+  declare(variables);
+}
+
+void VcdWriter::declare(const std::vector<RtlPart::Variable>& variables) {
+  // Scope by scope, so that none is opened twice; the clock first.
+  std::vector<std::pair<std::vector<std::string_view>, const RtlPart::Variable*>> sorted;
+  for (const RtlPart::Variable& variable : variables)
+    sorted.emplace_back(scopes_of(variable.name), &variable);
+  std::stable_sort(sorted.begin() + 1, sorted.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   out_ << "$version cigsim $end\n$comment one sample a cycle $end\n$timescale "
        << unit_text(unit_ns_) << " $end\n";
   std::vector<std::string_view> open;
-  const auto declare = [&](std::string_view name, const char* type, int width,
-                           const std::string& code) {
-    const std::vector<std::string_view> scopes = scopes_of(name);
+  for (const auto& [scopes, variable] : sorted) {
     const auto same = static_cast<std::size_t>(
         std::mismatch(open.begin(), open.end(), scopes.begin(), scopes.end()).first - open.begin());
     for (; open.size() > same; open.pop_back()) out_ << "$upscope $end\n";
     for (; open.size() < scopes.size(); open.push_back(scopes[open.size()]))
       out_ << "$scope module " << scopes[open.size()] << " $end\n";
-    out_ << "$var " << type << ' ' << width << ' ' << code << ' '
-         << name.substr(name.rfind('.') + 1);
-    if (width > 1 && *type == 'w') out_ << " [" << width - 1 << ":0]";
+    out_ << "$var " << variable->type << ' ' << variable->width << ' ' << variable->code << ' '
+         << std::string_view(variable->name).substr(variable->name.rfind('.') + 1);
+    if (!variable->range.empty()) out_ << ' ' << variable->range;
     out_ << " $end\n";
-  };
-  declare(clock_, "wire", 1, clock_code_);
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    Value& value = values_[i];
-    value.code = code_of(i + 1);
-    declare(value.name, value.real ? "real" : "wire", value.width, value.code);
   }
   for (; !open.empty(); open.pop_back()) out_ << "$upscope $end\n";
   out_ << "$enddefinitions $end\n";
@@ -130,13 +148,17 @@ void VcdWriter::sample(Cycle n) {
     put(value, bits);
     value.last = bits;
   }
+  for (RtlPart& part : parts_) part.sample(n, out_);
   if (first_) out_ << "$end\n";
   first_ = false;
   begin_time(begin + 1);
   put_clock(false);
 }
 
-void VcdWriter::end(Cycle n) { begin_time(2 * static_cast<double>(n)); }
+void VcdWriter::end(Cycle n) {
+  begin_time(2 * static_cast<double>(n));
+  for (RtlPart& part : parts_) part.close();
+}
 
 void VcdWriter::trace(const bool& object, const std::string& name) { add(object, name, 1); }
 void VcdWriter::trace(const unsigned char& object, const std::string& name, int width) {

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Waves of the clocked level as a value change dump, one sample a cycle: what a stage's trace()
-// names is written under its name in the module's scope.
+// names is written under its name in the module's scope. A stage at the level of RTL adds the dump
+// of its Verilated module as a part.
 //
 // SystemC's own trace files look at every value in every step of the simulation, tell nothing of a
 // full disk, and lose the time at which a window begins.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <systemc>
 #include <vector>
 
 #include "models/boundary/cycle.hpp"
+#include "models/boundary/wave_part.hpp"
+#include "sim/wave/rtl_part.hpp"
 
 namespace cigsim {
 
-class VcdWriter : public sc_core::sc_trace_file {
+class VcdWriter : public sc_core::sc_trace_file, public WaveWithParts {
  public:
   /// Writes to `out`, which must outlive it; whether that takes everything is for the caller to
   /// see. Cycle n begins at n * `cycle_ns`, and the signal `clock` rises there.
@@ -30,8 +34,10 @@ class VcdWriter : public sc_core::sc_trace_file {
   void declare();
   /// The values that now are, as those of cycle `n`, which must be later than the last.
   void sample(Cycle n);
-  /// The end of the window: the beginning of cycle `n`.
+  /// The end of the window: the beginning of cycle `n`. Closes the parts.
   void end(Cycle n);
+
+  void add_part(const std::string& scope, std::unique_ptr<WavePart> part) override;
 
   // What can be traced: bits, whole numbers of any type, and real numbers.
   void trace(const bool& object, const std::string& name) override;
@@ -84,6 +90,7 @@ class VcdWriter : public sc_core::sc_trace_file {
   [[noreturn]] static void refuse(const std::string& name);
 
   void cycle(bool) override {}
+  void declare(const std::vector<RtlPart::Variable>& variables);
   void begin_time(double half_cycles);
   void put(const Value& value, std::uint64_t bits);
   void put_clock(bool high) { out_ << (high ? '1' : '0') << clock_code_ << '\n'; }
@@ -93,6 +100,7 @@ class VcdWriter : public sc_core::sc_trace_file {
   double half_cycle_ = 0;  // in units
   std::string clock_, clock_code_;
   std::vector<Value> values_;
+  std::vector<RtlPart> parts_;
   bool first_ = true;
 };
 
