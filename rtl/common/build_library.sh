@@ -22,30 +22,38 @@ for parameter in "$@"; do options="$options -G$parameter"; done
 
 echo "verilator $module $*"
 # shellcheck disable=SC2086 # parameters have no blanks
-verilator --cc --trace --trace-max-array 4096 --trace-max-width 4096 --trace-structs \
-  -Wall --assert --x-assign unique --x-initial unique --unroll-count 4096 -O3 \
+verilator --cc --trace --trace-max-array 256 --trace-max-width 4096 --trace-structs \
+  -Wall --assert --x-assign unique --x-initial unique --unroll-count 256 -O3 \
   --output-split 20000 -DCIGSIM_ASSERTIONS $options \
   -I"$sources" -y "$sources/rtl/common" -y "$sources/rtl/$stage" \
   --Mdir "$work" --prefix "V$module" --top-module "$module" "$sources/rtl/$stage/$module.sv" >&2
 
 root=$(verilator --getenv VERILATOR_ROOT)
-flags="-std=c++17 -O2 -fPIC -fvisibility=hidden -ffp-contract=off -I$work -I$sources
+flags="-std=c++17 -fPIC -fvisibility=hidden -ffp-contract=off -I$work -I$sources
   -isystem $root/include -isystem $root/include/vltstd -DVERILATOR=1 -DVM_COVERAGE=$(case "$options" in
   *coverage*) echo 1 ;; *) echo 0 ;; esac) -DVM_SC=0 -DVL_USER_STOP=1 -DVM_TRACE=1 -DVM_TRACE_VCD=1 -DVM_TRACE_FST=0"
 compiler=${CXX:-g++}
+# What runs once needs no optimiser, and waves little of it.
+optimiser() {
+  case "$1" in
+  *__Slow.cpp | *__Syms.cpp) echo -O0 ;;
+  *Trace*.cpp) echo -O1 ;;
+  *) echo -O2 ;;
+  esac
+}
 if command -v ccache >/dev/null; then compiler="ccache $compiler"; fi
 
 echo "compiler $module"
 for file in verilated verilated_threads verilated_vcd_c verilated_cov; do
   if [ -f "$root/include/$file.cpp" ] && [ ! -f "$runtime/$file.o" ]; then
-    $compiler $flags -c "$root/include/$file.cpp" -o "$runtime/$file.$$.o"
+    $compiler $flags -O2 -c "$root/include/$file.cpp" -o "$runtime/$file.$$.o"
     mv "$runtime/$file.$$.o" "$runtime/$file.o"
   fi
 done
 objects=
 for file in "$work"/V*.cpp "$sources/rtl/$stage/$module.shim.cpp"; do
   object=$work/$(basename "$file" .cpp).o
-  $compiler $flags -c "$file" -o "$object" &
+  $compiler $flags $(optimiser "$file") -c "$file" -o "$object" &
   objects="$objects $object"
   # Two at a time.
   if [ -n "${before:-}" ]; then wait "$before"; before=; else before=$!; fi
