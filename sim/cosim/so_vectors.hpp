@@ -28,13 +28,13 @@ struct SoVectorOptions {
   std::uint64_t vectors = 100'000;     ///< at least so many; the last eyepoint is answered in full
   std::uint32_t seed = 1;              ///< not zero; of the vectors, and of registers without reset
   bool compare = true;                 ///< false: RTL alone, to know what the comparison costs
-  std::optional<SoStuckBit> stuck;
+  std::optional<SoStuckBit> stuck{};
   /// Called once, before the first cycle, such as to open waves.
-  std::function<void(RtlModel&)> begin;
+  std::function<void(RtlModel&)> begin{};
   /// Called after each cycle, also the one that differs; slow.
-  std::function<void(RtlModel&, std::uint64_t cycle)> each_cycle;
+  std::function<void(RtlModel&, std::uint64_t cycle)> each_cycle{};
   /// Called now and then with the vectors done; false ends the run.
-  std::function<bool(std::uint64_t vectors)> progress;
+  std::function<bool(std::uint64_t vectors)> progress{};
 };
 
 struct SoMismatch {
