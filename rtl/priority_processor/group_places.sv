@@ -57,6 +57,7 @@ module group_places #(
   assign entry_o = order_q[{index, place[MemberWidth-1:0]}];
 
   `CIGSIM_ASSERT(level_in_range, !inside_o || level_q < LevelWidth'(Levels))
+  `CIGSIM_ASSERT(level_fits, !level_inc_i || !inside_o || level_q < LevelWidth'(Levels - 1))
   `CIGSIM_ASSERT(level_moves_one_way, $onehot0({level_outside_i, level_inc_i, level_dec_i}))
   `CIGSIM_ASSERT(writes_are_inside, !(entry_write_i || place_begin_i || place_next_i) || inside_o)
   `CIGSIM_ASSERT(place_in_range, !place_next_i || place < number)

@@ -86,8 +86,7 @@ module object_counters #(
 
   `CIGSIM_ASSERT(pair_of_members, !pair_i || (is_member(true_member_i) &&
                  is_member(false_member_i) && true_member_i != false_member_i))
-  `CIGSIM_ASSERT(listed_in_range, !(list_count_i || list_rank_i) ||
-                 listed_q < ListedWidth'(Members))
+  `CIGSIM_ASSERT(listed_in_range, !list_o || listed_q < ListedWidth'(Members))
   `CIGSIM_ASSERT(listed_is_active, !(list_count_i || list_rank_i) || active_i[member_i])
   `CIGSIM_ASSERT(one_step_a_clock, $onehot0({clear_i, pair_i}) &&
                  $onehot0({list_clear_i, list_count_i, list_rank_i}))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The priority processor at its timed and its clocked level side by side, fed and held back alike.
+// The priority processor at its levels side by side, fed and held back alike.
 #pragma once
 
 #include <deque>
@@ -10,7 +10,7 @@
 #include "models/boundary/transactors.hpp"
 #include "models/environment/random.hpp"
 #include "models/priority_processor/clocked.hpp"
-#include "models/priority_processor/functional_words.hpp"
+#include "models/priority_processor/rtl.hpp"
 #include "models/priority_processor/timed.hpp"
 
 namespace cigsim::test {
@@ -41,7 +41,38 @@ class PriorityBench {
  public:
   enum Level { kTimed, kClocked };
 
-  PriorityBench(const PriorityCase& c, Level level, const Clock& clock)
+  PriorityBench(const PriorityCase& c, Level level, const Clock& clock) : PriorityBench(c) {
+    if (level == kTimed) {
+      timed_ = std::make_unique<priority_processor::Timed>(
+          name(), c.machine, priority_processor::Timed::Links{start_, items_}, banks_, report());
+      return;
+    }
+    clocked =
+        std::make_unique<priority_processor::Clocked>(name(), c.machine, clock, banks_, report());
+    connect(*clocked, clock);
+  }
+  /// The RTL level. `seed` as that of priority_processor::Rtl.
+  PriorityBench(const PriorityCase& c, const std::filesystem::path& library, std::uint32_t seed,
+                const Clock& clock)
+      : PriorityBench(c) {
+    rtl = std::make_unique<priority_processor::Rtl>(name(), c.machine, clock, banks_, library,
+                                                    report(), seed);
+    connect(*rtl, clock);
+  }
+  PriorityBench(const PriorityBench&) = delete;
+
+  bool done() const { return figures.size() == case_.frames && ends_ == case_.frames; }
+  /// Between links and pins, at all levels but the timed one.
+  const Wires<FrameWord>& start_wires() const { return *start_wires_; }
+  const Wires<ItemWord>& item_wires() const { return *item_wires_; }
+
+  std::vector<ItemHandover> history;
+  std::vector<priority_processor::Figures> figures;
+  std::unique_ptr<priority_processor::Clocked> clocked;
+  std::unique_ptr<priority_processor::Rtl> rtl;
+
+ private:
+  explicit PriorityBench(const PriorityCase& c)
       : case_(c),
         banks_(c.banks()),
         start_("start", 2, stalls(c.pauses)),
@@ -49,31 +80,22 @@ class PriorityBench {
     items_.set_probe([this](const ItemWord& word, Cycle pushed, Cycle taken) {
       history.push_back({word, pushed, taken});
     });
-    const auto report = [this](const priority_processor::Figures& f) { figures.push_back(f); };
     producer_ = std::make_unique<Producer>(name(), *this);
     consumer_ = std::make_unique<Consumer>(name(), *this);
-    if (level == kTimed) {
-      timed_ = std::make_unique<priority_processor::Timed>(
-          name(), c.machine, priority_processor::Timed::Links{start_, items_}, banks_, report);
-      return;
-    }
-    clocked =
-        std::make_unique<priority_processor::Clocked>(name(), c.machine, clock, banks_, report);
-    clocked->clock(clock.wire);
+  }
+
+  priority_processor::FiguresFunction report() {
+    return [this](const priority_processor::Figures& f) { figures.push_back(f); };
+  }
+  template <class Stage>
+  void connect(Stage& stage, const Clock& clock) {
+    stage.clock(clock.wire);
     in_ = std::make_unique<LinkToPins<FrameWord>>(name(), clock, start_);
     out_ = std::make_unique<PinsToLink<ItemWord>>(name(), clock, items_);
-    start_wires_ = std::make_unique<Wires<FrameWord>>(in_->out, clocked->start);
-    item_wires_ = std::make_unique<Wires<ItemWord>>(clocked->items, out_->in);
+    start_wires_ = std::make_unique<Wires<FrameWord>>(in_->out, stage.start);
+    item_wires_ = std::make_unique<Wires<ItemWord>>(stage.items, out_->in);
   }
-  PriorityBench(const PriorityBench&) = delete;
 
-  bool done() const { return figures.size() == case_.frames && ends_ == case_.frames; }
-
-  std::vector<ItemHandover> history;
-  std::vector<priority_processor::Figures> figures;
-  std::unique_ptr<priority_processor::Clocked> clocked;
-
- private:
   struct Producer : sc_core::sc_module {
     Producer(sc_core::sc_module_name name, PriorityBench& b) : sc_module(name), bench(b) {
       SC_HAS_PROCESS(Producer);

@@ -6,242 +6,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/database/prepare.hpp"
-#include "models/frame_calculator/functional.hpp"
-#include "models/machine/scale.hpp"
-#include "models/priority_processor/functional.hpp"
+#include "models/priority_processor/functional_words.hpp"
 #include "models/priority_processor/named_faults.hpp"
 #include "tests/levels/priority_bench.hpp"
+#include "tests/levels/priority_random_case.hpp"
+#include "tests/levels/priority_table_case.hpp"
+#include "tests/levels/priority_world_case.hpp"
 #include "tests/support/fresh_simulation.hpp"
 #include "tests/support/scratch.hpp"
-#include "tests/support/viewpoints.hpp"
-#include "tests/support/worlds.hpp"
 
 namespace cigsim::priority_processor {
 namespace {
 
+using namespace test::stump;
+using test::kTableScale;
 using test::PriorityBench;
 using test::PriorityCase;
-
-// --- Hierarchies and frames made at random, and their list by the definition.
-
-/// A tree of groups, in places more than the counters hold, in places not listable.
-PriorityHierarchy random_hierarchy(Random& random, std::uint32_t& items) {
-  PriorityHierarchy h;
-  items = 0;
-  struct Open {
-    std::uint32_t group, depth;
-  };
-  h.groups.emplace_back();
-  for (std::vector<Open> open{{0, 1}}; !open.empty();) {
-    const Open at = open.front();
-    open.erase(open.begin());
-    Group group;
-    group.first_member = static_cast<std::uint32_t>(h.members.size());
-    group.member_count = 1 + random.below(random.below(8) == 0 ? 64 : 6);
-    for (std::uint32_t m = 0; m < group.member_count; ++m) {
-      Member member;
-      member.is_group = at.depth < 4 && random.below(3) == 0 && h.groups.size() < 20;
-      member.index = member.is_group ? static_cast<std::uint32_t>(h.groups.size()) : items++;
-      if (member.is_group) {
-        open.push_back({member.index, at.depth + 1});
-        h.groups.emplace_back();
-      }
-      h.members.push_back(member);
-    }
-    group.first_node = static_cast<std::uint32_t>(h.nodes.size());
-    const bool listable = random.below(3) != 0;
-    for (std::uint32_t m = 0; m + 1 < group.member_count; ++m) {
-      SeparationNode node;
-      node.plane = static_cast<std::uint32_t>(h.planes.size());
-      h.planes.push_back(
-          plane_with_normal({random.between(-8, 8), random.between(-8, 8), random.between(-8, 8)},
-                            {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}));
-      if (listable) {  // a chain: member m before all later ones or behind
-        node.true_members = std::uint64_t{1} << m;
-        for (std::uint32_t f = m + 1; f < group.member_count; ++f)
-          node.false_members |= std::uint64_t{1} << f;
-      } else {
-        node.first_pair = static_cast<std::uint32_t>(h.pairs.size());
-        node.pair_count = 1 + random.below(random.below(10) == 0 ? 400 : 10);
-        for (std::uint32_t p = 0; p < node.pair_count; ++p) {
-          const std::uint32_t t = random.below(group.member_count);
-          const std::uint32_t f =
-              (t + 1 + random.below(group.member_count - 1)) % group.member_count;
-          h.pairs.push_back({static_cast<std::uint8_t>(t), static_cast<std::uint8_t>(f)});
-        }
-      }
-      h.nodes.push_back(node);
-    }
-    group.node_count = static_cast<std::uint32_t>(h.nodes.size()) - group.first_node;
-    h.groups[at.group] = group;
-  }
-  return h;
-}
-
-ActiveEnvironment random_frame(const PriorityHierarchy& h, std::uint32_t items, Random& random) {
-  ActiveEnvironment active;
-  active.view.eye = {random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)};
-  if (random.below(8) != 0) active.groups.push_back({0, 0, 0});
-  for (std::size_t g = 0; g < active.groups.size(); ++g) {
-    const Group group = h.groups[active.groups[g].group];
-    std::uint64_t mask = 0;
-    for (std::uint32_t m = 0; m < group.member_count; ++m)
-      if (random.below(4) != 0) mask |= std::uint64_t{1} << m;
-    active.groups[g].active = mask;
-    active.groups[g].first_child = static_cast<std::uint32_t>(active.groups.size());
-    for (std::uint32_t m = 0; m < group.member_count; ++m) {
-      const Member& member = h.members[group.first_member + m];
-      if ((mask >> m & 1) && member.is_group) active.groups.push_back({member.index, 0, 0});
-    }
-  }
-  std::uint32_t piece = 0;
-  for (std::uint32_t item = 0; item < items; ++item) {
-    if (random.below(6) != 0) continue;
-    const std::uint32_t before = random.below(3), behind = random.below(3);
-    for (std::uint32_t i = 0; i < before + behind; ++i)
-      active.moving.push_back({piece++, active.groups.empty() ? kNone : item, i < before, i});
-  }
-  return active;
-}
-
-struct Expected {
-  std::vector<ItemWord> items;
-  std::vector<std::uint32_t> faults;
-};
-
-/// By the definition: members sorted by count, then number.
-class Definition {
- public:
-  Definition(const PriorityHierarchy& h, const ActiveEnvironment& a, const ViewWords& view,
-             int scale, const WordFormats& formats)
-      : h_(h), a_(a), view_(view), scale_(scale), formats_(formats) {}
-
-  Expected list(std::uint32_t ground) {
-    if (a_.groups.empty())
-      for (const auto& piece : a_.moving) put(SetId::kMoving, piece.item);
-    else
-      group(0);
-    for (std::uint32_t i = 0; i < ground; ++i) put(SetId::kGround, i);
-    out_.items.push_back({SetId::kStatic, 0, true});
-    return out_;
-  }
-
- private:
-  void put(SetId set, std::uint32_t item) { out_.items.push_back({set, item, false}); }
-
-  bool eye_true(const Plane& plane) const {
-    const PlaneWords words = plane_words(plane, scale_, formats_);
-    __extension__ using Wide = __int128;
-    Wide sum = 0;
-    for (int i = 0; i < 3; ++i) sum += Wide{words.normal[i]} * view_.eye[i];
-    return sum >= Wide{words.distance};
-  }
-
-  void group(std::uint32_t active_index) {
-    const ActiveGroup& active = a_.groups[active_index];
-    const Group& group_ = h_.groups[active.group];
-    const auto is_active = [&](std::uint32_t m) { return (active.active >> m & 1) != 0; };
-    std::vector<int> counts(kGroupCapacity);
-    std::vector<std::uint32_t> members;
-    for (std::uint32_t m = 0; m < group_.member_count; ++m)
-      if (is_active(m)) members.push_back(m);
-    for (std::uint32_t n = 0; n < group_.node_count; ++n) {
-      const SeparationNode& node = h_.nodes[group_.first_node + n];
-      const bool eye = eye_true(h_.planes[node.plane]);
-      const auto pair = [&](std::uint32_t t, std::uint32_t f) {
-        if (is_active(t) && is_active(f)) ++counts[eye ? f : t];
-      };
-      for (std::uint32_t p = 0; p < node.pair_count; ++p)
-        pair(h_.pairs[node.first_pair + p].true_member, h_.pairs[node.first_pair + p].false_member);
-      if (node.pair_count == 0)
-        for (std::uint32_t t = 0; t < 64; ++t)
-          for (std::uint32_t f = 0; f < 64; ++f)
-            if ((node.true_members >> t & 1) && (node.false_members >> f & 1)) pair(t, f);
-    }
-    for (int& c : counts) c = std::min(c, 63);
-    std::stable_sort(members.begin(), members.end(),
-                     [&](auto a, auto b) { return counts[a] < counts[b]; });
-    for (std::size_t i = 0; i < members.size(); ++i)
-      if (counts[members[i]] != static_cast<int>(i)) {
-        out_.faults.push_back(active_index);
-        break;
-      }
-    for (const std::uint32_t m : members) {
-      const Member& member = h_.members[group_.first_member + m];
-      if (!member.is_group) {
-        item(member.index);
-        continue;
-      }
-      std::uint32_t child = active.first_child;
-      for (std::uint32_t b = 0; b < m; ++b)
-        child += is_active(b) && h_.members[group_.first_member + b].is_group;
-      group(child);
-    }
-  }
-
-  void item(std::uint32_t index) {
-    for (const auto& piece : a_.moving)
-      if (piece.neighbour == index && piece.before) put(SetId::kMoving, piece.item);
-    put(SetId::kStatic, index);
-    for (const auto& piece : a_.moving)
-      if (piece.neighbour == index && !piece.before) put(SetId::kMoving, piece.item);
-  }
-
-  const PriorityHierarchy& h_;
-  const ActiveEnvironment& a_;
-  const ViewWords& view_;
-  int scale_;
-  const WordFormats& formats_;
-  Expected out_;
-};
-
-ViewWords eye_words(const Vec3& eye, int scale, const WordFormats& formats) {
-  ViewWords words;
-  std::uint64_t overflows = 0;
-  const double eyes[3] = {eye.x, eye.y, eye.z};
-  for (int i = 0; i < 3; ++i) words.eye[i] = coordinate_word(eyes[i], scale, formats, overflows);
-  return words;
-}
-
-/// A case of two random frames with what is expected of them.
-struct RandomCase {
-  PriorityCase bench;
-  Expected expected[2];
-
-  explicit RandomCase(std::uint64_t seed) {
-    Random random(seed);
-    constexpr int kScale = 24;
-    bench.machine.formats.direction_fraction = random.below(2) ? 30 : 14;
-    bench.machine.links.items = 1 + random.below(5);
-    bench.machine.object_capacity = random.below(3) == 0 ? 1 + random.below(20) : 0;
-    for (Expected& e : expected) {
-      std::uint32_t items = 0;  // each frame is of a database of its own
-      const PriorityHierarchy h = random_hierarchy(random, items);
-      bench.memories.push_back(std::make_unique<PriorityMemory>(h, items, kScale, bench.machine));
-      bench.filled.emplace_back(*bench.memories.back());
-      if (random.below(2))  // what a frame before has left must not matter
-        bench.filled.back().fill(random_frame(h, items, random), {}, random.below(3));
-      const ActiveEnvironment active = random_frame(h, items, random);
-      const ViewWords view = eye_words(active.view.eye, kScale, bench.machine.formats);
-      const std::uint32_t ground = random.below(3);
-      bench.filled.back().fill(active, view, ground);
-      e = Definition(h, active, view, kScale, bench.machine.formats).list(ground);
-      const std::uint32_t capacity = bench.machine.object_capacity;
-      if (capacity != 0 && e.items.size() - 1 > capacity)
-        e.items.erase(e.items.begin() + capacity, e.items.end() - 1);
-    }
-    bench.frames = 4;
-    bench.start_gap = random.below(2) ? 0 : random.below(3000);
-    bench.pauses = random.below(3) == 0 ? 0 : random.bits();
-  }
-};
+using test::PriorityRandomCase;
+using test::table_case;
+using test::table_hierarchy;
 
 TEST(PriorityProcessor, LevelsAgreeToTheCycleAndWithTheDefinition) {
   constexpr std::uint64_t kCases = 60;
   test::fresh_simulation();
   Clock clock("clock", 125);
-  std::deque<RandomCase> cases;
+  std::deque<PriorityRandomCase> cases;
   std::deque<PriorityBench> benches;
   for (std::uint64_t seed = 1; seed <= kCases; ++seed) {
     cases.emplace_back(seed);
@@ -252,12 +41,12 @@ TEST(PriorityProcessor, LevelsAgreeToTheCycleAndWithTheDefinition) {
   std::size_t faults = 0, drops = 0, stalls = 0;
   for (std::uint64_t i = 0; i < kCases; ++i) {
     SCOPED_TRACE("seed " + std::to_string(i + 1));
-    const RandomCase& c = cases[i];
+    const PriorityRandomCase& c = cases[i];
     const PriorityBench &timed = benches[2 * i], &clocked = benches[2 * i + 1];
     ASSERT_TRUE(timed.done() && clocked.done());
     std::vector<ItemWord> all;
     for (std::uint32_t k = 0; k < 4; ++k) {
-      const Expected& e = c.expected[k & 1];
+      const test::ExpectedItems& e = c.expected[k & 1];
       all.insert(all.end(), e.items.begin(), e.items.end());
       std::vector<ItemWord> items;
       Figures figures;
@@ -288,50 +77,14 @@ TEST(PriorityProcessor, LevelsAgreeToTheCycleAndWithTheDefinition) {
 
 // --- Prepared worlds: the list is that of exact planes wherever the eye is clear of them.
 
-bool clear_of_planes(const PriorityHierarchy& h, const Vec3& eye, int scale) {
-  for (const Plane& plane : h.planes) {
-    const Vec3 n = plane.normal, d = eye - plane.exact.p;
-    const double distance = std::abs(dot(n, d)) / std::sqrt(dot(n, n));
-    if (std::ldexp(distance, scale) < 16) return false;
-  }
-  return true;
-}
-
 TEST(PriorityProcessor, PreparedWorldsAreListedAsWithExactPlanes) {
   constexpr std::uint64_t kCases = 12;
   test::fresh_simulation();
   Clock clock("clock", 125);
-  std::deque<PriorityCase> cases;
-  std::deque<std::vector<PriorityList>> expected;
+  std::deque<test::PriorityWorldCase> cases;
   std::deque<PriorityBench> benches;
   for (std::uint64_t seed = 1; seed <= kCases; ++seed) {
-    Random random(seed);
-    const test::World world =
-        seed % 2 ? test::touching_world(random)
-                 : test::disjoint_world(random, 3 + static_cast<int>(random.below(40)));
-    const Database database = prepare(world.environment);
-    const PreparedSystem& system = database.systems[0];
-    PriorityCase& c = cases.emplace_back();
-    const int scale = coordinate_scale(database, c.machine.formats);
-    c.memories.push_back(std::make_unique<PriorityMemory>(system.hierarchy, system.set.items.size(),
-                                                          scale, c.machine));
-    c.pauses = seed % 3 == 0 ? 0 : seed;
-    auto& lists = expected.emplace_back();
-    const frame_calculator::Functional calculator(database);
-    while (c.filled.size() < 2) {
-      ActiveEnvironment active;
-      FaceSet moving;
-      calculator.compute(test::plain_viewpoint(world.environment, random), {64, 64}, 0, active,
-                         moving);
-      std::uint64_t overflows = 0;
-      const ViewWords view = view_words(active.view, scale, c.machine.formats, overflows);
-      if (overflows != 0 || !clear_of_planes(system.hierarchy, active.view.eye, scale)) continue;
-      Functional<double> functional(Method::kCounters);
-      functional.compute(system.hierarchy, system.set, active, database.ground,
-                         lists.emplace_back());
-      c.filled.emplace_back(*c.memories[0]);
-      c.filled.back().fill(active, view, static_cast<std::uint32_t>(database.ground.items.size()));
-    }
+    const PriorityCase& c = cases.emplace_back(seed).bench;
     benches.emplace_back(c, PriorityBench::kTimed, clock);
     benches.emplace_back(c, PriorityBench::kClocked, clock);
   }
@@ -342,7 +95,7 @@ TEST(PriorityProcessor, PreparedWorldsAreListedAsWithExactPlanes) {
     const PriorityBench &timed = benches[2 * i], &clocked = benches[2 * i + 1];
     ASSERT_TRUE(timed.done() && clocked.done());
     std::size_t at = 0;
-    for (const PriorityList& list : expected[i]) {
+    for (const PriorityList& list : cases[i].expected) {
       items += list.items.size();
       for (const ItemRef& item : list.items) {
         ASSERT_LT(at, timed.history.size());
@@ -357,45 +110,6 @@ TEST(PriorityProcessor, PreparedWorldsAreListedAsWithExactPlanes) {
 }
 
 // --- Stump's worked examples, through the microprogram.
-
-struct TablePlane {
-  Vec3 normal, point;
-  std::vector<MemberPair> pairs;  ///< objects from 0
-};
-
-/// Objects 0 to n - 1 in one group with hand-written pairs.
-PriorityHierarchy table_hierarchy(std::uint32_t objects, const std::vector<TablePlane>& planes) {
-  PriorityHierarchy h;
-  h.groups.push_back({0, objects, 0, static_cast<std::uint32_t>(planes.size())});
-  for (std::uint32_t m = 0; m < objects; ++m) h.members.push_back({false, m, {}});
-  for (const TablePlane& plane : planes) {
-    SeparationNode node;
-    node.plane = static_cast<std::uint32_t>(h.planes.size());
-    node.first_pair = static_cast<std::uint32_t>(h.pairs.size());
-    node.pair_count = static_cast<std::uint32_t>(plane.pairs.size());
-    h.planes.push_back(plane_with_normal(plane.point, plane.normal));
-    h.pairs.insert(h.pairs.end(), plane.pairs.begin(), plane.pairs.end());
-    h.nodes.push_back(node);
-  }
-  return h;
-}
-
-constexpr int kTableScale = 20;
-
-/// The same, seen from `eye`.
-PriorityCase table_case(std::uint32_t objects, const std::vector<TablePlane>& planes,
-                        const Vec3& eye) {
-  const PriorityHierarchy h = table_hierarchy(objects, planes);
-  PriorityCase c;
-  c.memories.push_back(std::make_unique<PriorityMemory>(h, objects, kTableScale, c.machine));
-  ActiveEnvironment active;
-  active.groups.push_back({0, (std::uint64_t{1} << objects) - 1, 1});
-  c.filled.assign(2, PriorityBank(*c.memories[0]));
-  for (PriorityBank& bank : c.filled)
-    bank.fill(active, eye_words(eye, kTableScale, c.machine.formats), 0);
-  c.frames = 1;
-  return c;
-}
 
 struct TableResult {
   std::string counts;  ///< of objects 0, 1, …, a digit each
@@ -426,23 +140,11 @@ std::vector<TableResult> run_tables(const std::deque<PriorityCase>& cases, std::
   return results;
 }
 
-constexpr std::uint8_t A = 0, B = 1, C = 2, D = 3;
-constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0};
-
-/// Stump's Fig. 7, as far as its table goes.
-const std::vector<TablePlane> kFig7{{kX, {10, 0, 0}, {{C, B}, {D, A}}},
-                                    {kY, {0, 10, 0}, {{B, D}, {C, A}}},
-                                    {{0, 0, 1}, {0, 0, 10}, {{B, A}, {D, C}}}};
-
-// The eye at the origin is FALSE on planes whose normals point away from it.
 TEST(StumpThroughTheMicroprogram, Fig7CountsAfterEachPlaneAndItsFault) {
   std::deque<PriorityCase> cases;
   for (std::size_t n = 1; n <= 3; ++n)
     cases.push_back(table_case(4, {kFig7.begin(), kFig7.begin() + static_cast<long>(n)}, {}));
-  const std::vector<TablePlane> reassigned{{kX, {10, 0, 0}, {{C, A}, {C, B}}},
-                                           {kY, {0, 10, 0}, {{D, A}, {D, B}}},
-                                           {{0, 0, 1}, {0, 0, 10}, {{B, A}, {D, C}}}};
-  cases.push_back(table_case(4, reassigned, {}));
+  cases.push_back(table_case(4, kFig7Reassigned, {}));
   const auto results = run_tables(cases, 4);
   EXPECT_EQ(results[0], (TableResult{"0011", "0123", true}));
   EXPECT_EQ(results[1], (TableResult{"0121", "0132", true}));
@@ -469,9 +171,8 @@ TEST(StumpThroughTheMicroprogram, Fig7sFaultIsNamedByItsCircuit) {
 }
 
 TEST(StumpThroughTheMicroprogram, TestCase1) {
-  const std::vector<TablePlane> planes{{kX, {10, 0, 0}, {{1, 0}}}};
   std::deque<PriorityCase> cases;
-  for (const double x : {11.0, 10.0, 9.0}) cases.push_back(table_case(2, planes, {x, 3, 4}));
+  for (const double x : {11.0, 10.0, 9.0}) cases.push_back(table_case(2, kTestCase1, {x, 3, 4}));
   const auto results = run_tables(cases, 2);
   EXPECT_EQ(results[0], (TableResult{"10", "10", false}));
   EXPECT_EQ(results[1], (TableResult{"10", "10", false})) << "on the plane counts as TRUE";
@@ -479,11 +180,9 @@ TEST(StumpThroughTheMicroprogram, TestCase1) {
 }
 
 TEST(StumpThroughTheMicroprogram, TestCase2InItsFourRegions) {
-  const std::vector<TablePlane> planes{{{-1, 0, 0}, {60, 0, 0}, {{2, 0}, {2, 1}, {3, 0}, {3, 1}}},
-                                       {{1, 1, 0}, {10, 10, 0}, {{3, 2}, {1, 0}}}};
   std::deque<PriorityCase> cases;
   for (const Vec3& eye : {Vec3{50, 0, 0}, Vec3{0, 0, 0}, Vec3{70, 0, 0}, Vec3{70, -70, 0}})
-    cases.push_back(table_case(4, planes, eye));
+    cases.push_back(table_case(4, kTestCase2, eye));
   const auto results = run_tables(cases, 4);
   // TRUE on the first plane: 3 and 4 before 1 and 2; TRUE on the second: 2 before 1, 4 before 3.
   EXPECT_EQ(results[0], (TableResult{"3210", "3210", false}));
@@ -493,13 +192,9 @@ TEST(StumpThroughTheMicroprogram, TestCase2InItsFourRegions) {
 }
 
 TEST(StumpThroughTheMicroprogram, TestCase3InItsNineRegions) {
-  const std::vector<TablePlane> planes{{kX, {25, 0, 0}, {{4, 0}, {4, 1}, {4, 2}, {4, 3}}},
-                                       {kY, {0, 25, 0}, {{3, 0}, {3, 1}, {3, 2}}},
-                                       {kX, {10, 0, 0}, {{2, 0}, {2, 1}}},
-                                       {kY, {0, 10, 0}, {{1, 0}}}};
   std::deque<PriorityCase> cases;
   for (const double x : {5.0, 20.0, 30.0})
-    for (const double y : {5.0, 20.0, 30.0}) cases.push_back(table_case(5, planes, {x, y, 0}));
+    for (const double y : {5.0, 20.0, 30.0}) cases.push_back(table_case(5, kTestCase3, {x, y, 0}));
   std::vector<std::string> counts;
   for (const TableResult& r : run_tables(cases, 5)) {
     EXPECT_FALSE(r.fault);
@@ -517,7 +212,7 @@ TEST(StumpThroughTheMicroprogram, TestCase3InItsNineRegions) {
 TEST(PriorityProcessor, TheExampleOfTheManualTakesTheCyclesThatItSays) {
   test::fresh_simulation();
   Clock clock("clock", 125);
-  const PriorityCase c = table_case(2, {{kX, {10, 0, 0}, {{1, 0}}}}, {});
+  const PriorityCase c = table_case(2, kTestCase1, {});
   std::deque<PriorityBench> benches;
   benches.emplace_back(c, PriorityBench::kTimed, clock);
   benches.emplace_back(c, PriorityBench::kClocked, clock);
@@ -538,7 +233,7 @@ TEST(PriorityProcessor, WavesHaveThePinsAndTheMicroprogramsAddress) {
   const test::Scratch scratch;
   const std::string file = scratch.path("wave").string();
   Clock clock("clock", 125);
-  const PriorityCase c = table_case(2, {{kX, {10, 0, 0}, {{1, 0}}}}, {});
+  const PriorityCase c = table_case(2, kTestCase1, {});
   std::deque<PriorityBench> benches;
   benches.emplace_back(c, PriorityBench::kClocked, clock);
   sc_core::sc_start(sc_core::SC_ZERO_TIME);
