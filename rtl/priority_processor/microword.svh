@@ -19,6 +19,8 @@ localparam int PolBits = 1;
 
 localparam int DLsb = 5;
 localparam int DBits = 1;
+localparam logic [0:0] DWord = 1'd0;
+localparam logic [0:0] DData = 1'd1;
 
 localparam int AddressLsb = 6;
 localparam int AddressBits = 12;

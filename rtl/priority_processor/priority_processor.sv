@@ -73,7 +73,7 @@ module priority_processor #(
   );
 
   logic [OpBits-1:0] op;
-  logic pol, d_data, take, planes_count, fault_report;
+  logic pol, d, take, planes_count, fault_report;
   logic [AddressBits-1:0] address;
   logic [CondBits-1:0] cond;
   logic [SrcBits-1:0] src;
@@ -90,7 +90,7 @@ module priority_processor #(
   logic [PutBits-1:0] put;
   assign op = word[OpLsb+:OpBits];
   assign pol = word[PolLsb+:PolBits];
-  assign d_data = word[DLsb+:DBits];
+  assign d = word[DLsb+:DBits];
   assign address = word[AddressLsb+:AddressBits];
   assign cond = word[CondLsb+:CondBits];
   assign take = word[TakeLsb+:TakeBits];
@@ -298,7 +298,7 @@ module priority_processor #(
       .rst_i          (rst_i),
       .op_i           (op),
       .pass_i         (condition != pol),
-      .d_i            (d_data ? bus[11:0] : address),
+      .d_i            (d == DData ? bus[11:0] : address),
       .micro_address_o(micro_address_q),
       .counter_o      (),
       .stack_top_o    (),
