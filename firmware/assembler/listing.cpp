@@ -39,6 +39,22 @@ std::string listing(const Program& program) {
   return text;
 }
 
+std::string address_names(const Program& program) {
+  std::string text = fmt::format("# Microaddresses of {}\n", program.name), label;
+  std::map<std::uint32_t, std::string> labels;  // the first of those at an address
+  for (const auto& [name, address] : program.labels) labels.emplace(address, name);
+  std::uint32_t from = 0;
+  for (std::uint32_t address = 0; address < program.words.size(); ++address) {
+    if (const auto found = labels.find(address); found != labels.end()) {
+      label = found->second;
+      from = address;
+    }
+    text += fmt::format("{} {}", address, label.empty() ? "start" : label);
+    text += address == from ? "\n" : fmt::format("+{}\n", address - from);
+  }
+  return text;
+}
+
 std::string hex_image(const Program& program) {
   std::string text;
   for (const Microword& word : program.words) text += hex(word, program.format.width) + "\n";

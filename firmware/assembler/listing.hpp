@@ -15,4 +15,8 @@ std::string listing(const Program& program);
 /// One word a line in hex, width/4 digits rounded up, as Verilog's $readmemh reads it.
 std::string hex_image(const Program& program);
 
+/// One address a line: the address, and the last label up to there, with how far it is beyond it:
+/// a filter file of GTKWave that shows a microaddress by name.
+std::string address_names(const Program& program);
+
 }  // namespace cigsim::firmware

@@ -6,6 +6,7 @@
 
 #include "firmware/programs.hpp"
 #include "models/boundary/tracer.hpp"
+#include "models/boundary/wave_part.hpp"
 #include "rtl/priority_processor/priority_processor.pins.hpp"
 
 namespace cigsim::priority_processor {
@@ -61,6 +62,13 @@ void Rtl::reset() {
   start.ready.initialize(ready_);
 }
 
+void Rtl::drive() {
+  Pins& pins = model_.pins<Pins>();
+  pins.start_valid_i = start.valid.read();
+  pins.start_frame_i = start.word.read().frame;
+  pins.items_ready_i = items.ready.read();
+}
+
 void Rtl::edge() {
   Pins& pins = model_.pins<Pins>();
   const Cycle now = time_.cycle();
@@ -68,9 +76,7 @@ void Rtl::edge() {
   const bool taken = valid_ && items.ready.read();
   const bool item = taken && !pins.items_end_o;
   const bool finished = taken && pins.items_end_o;
-  pins.start_valid_i = start.valid.read();
-  pins.start_frame_i = start.word.read().frame;
-  pins.items_ready_i = items.ready.read();
+  drive();
   model_.edge();
   read_memories();
 
@@ -112,10 +118,11 @@ void Rtl::count() {
                               kRecordWords);
 }
 
-void Rtl::trace(sc_core::sc_trace_file* file) const {
+void Rtl::trace(sc_core::sc_trace_file* file) {
   const Tracer show(file, *this);
   show.pins(start, "start");
   show.pins(items, "items");
+  trace_rtl(file, *this, model_, [this] { drive(); });
 }
 
 }  // namespace cigsim::priority_processor

@@ -33,10 +33,11 @@ class Rtl : public sc_core::sc_module {
   PinOut<ItemWord> items{"items"};
 
   /// The pins; call it when they are bound and elaboration is done.
-  void trace(sc_core::sc_trace_file* file) const;
+  void trace(sc_core::sc_trace_file* file);
   RtlModel& model() { return model_; }
 
  private:
+  void drive();
   void reset();
   void edge();
   void read_memories();

@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
   std::string program;
-  std::optional<std::string> format, image;
+  std::optional<std::string> format, image, names;
   std::vector<std::string> constants;
   bool listing = false;
 };
@@ -52,6 +52,7 @@ firmware::Program assembled(const Options& options) {
 int assemble(const Options& options) {
   const firmware::Program program = assembled(options);
   if (options.image) write_file(*options.image, firmware::hex_image(program));
+  if (options.names) write_file(*options.names, firmware::address_names(program));
   if (options.listing)
     fmt::print("{}", firmware::listing(program));
   else
@@ -88,6 +89,10 @@ void add_assemble(CLI::App& program, int& exit_code) {
       ->take_all();
   command->add_flag("--listing", options->listing, "Print addresses, words, source and costs");
   command->add_option("-o,--output", options->image, "Write the words in hex, one a line")
+      ->type_name("FILE");
+  command
+      ->add_option("--names", options->names,
+                   "Write the names of addresses: what GTKWave calls a translate filter file")
       ->type_name("FILE");
   command->callback([options, &exit_code] { exit_code = assemble(*options); });
 }

@@ -15,6 +15,7 @@
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
 #include "sim/wave/signal_names.hpp"
+#include "sim/wave/value_names.hpp"
 #include "sim/wave/wave_file.hpp"
 
 namespace cigsim {
@@ -39,11 +40,20 @@ struct Choice {
   std::vector<WavePictureRow> rows;
   std::vector<std::size_t> signals;
 
-  void add(std::size_t signal, std::string label, Radix radix) {
-    rows.push_back({ViewRow::Kind::kSignal, std::move(label), radix, signals.size()});
+  void add(std::size_t signal, std::string label, Radix radix,
+           std::shared_ptr<const ValueNames> names = nullptr) {
+    rows.push_back(
+        {ViewRow::Kind::kSignal, std::move(label), radix, signals.size(), std::move(names)});
     signals.push_back(signal);
   }
 };
+
+// The names of a row's values; their file is named from the view's folder.
+std::shared_ptr<const ValueNames> names_of(const ViewRow& row, const std::string& view) {
+  if (row.names.empty()) return nullptr;
+  const std::filesystem::path file = std::filesystem::path(view).parent_path() / row.names;
+  return std::make_shared<ValueNames>(ValueNames::parse(read_whole_file(file), file.string()));
+}
 
 void add_view(const WaveFile& file, const std::string& view, Choice& choice) {
   const SignalNames names(file.signals());
@@ -53,7 +63,7 @@ void add_view(const WaveFile& file, const std::string& view, Choice& choice) {
       continue;
     }
     try {
-      choice.add(names.find(row.text), row.label, row.radix);
+      choice.add(names.find(row.text), row.label, row.radix, names_of(row, view));
     } catch (const std::invalid_argument& error) {
       throw InputError(view, row.line, fmt::format("{}: {}", file.name(), error.what()));
     }
@@ -155,7 +165,9 @@ void add_wave_picture(CLI::App& program, int& exit_code) {
       "      --signal clock --signal priority_resolver.at=dec\n");
   Options& o = *options;
   command->add_option("FILE", o.file, "Wave file, .vcd or .fst")->type_name("")->required();
-  command->add_option("--view", o.view, "Saved view of GTKWave: signals, order, headings, radix")
+  command
+      ->add_option("--view", o.view,
+                   "Saved view of GTKWave: signals, order, headings, radix, names of values")
       ->type_name("FILE");
   command
       ->add_option("--signal", o.signals,

@@ -6,7 +6,8 @@
 
 namespace cigsim {
 
-/// "STAGE.gtkw" of each stage with a clocked level.
+/// "STAGE.gtkw" of each stage with a clocked level, "STAGE.rtl.gtkw" where there is RTL, and the
+/// files with names of values that they use.
 std::span<const EmbeddedFile> embedded_views();
 
 }  // namespace cigsim

@@ -15,6 +15,8 @@
 #include "models/environment/write.hpp"
 #include "sim/wave/embedded_views.hpp"
 #include "sim/wave/programs.hpp"
+#include "sim/wave/stage_view.hpp"
+#include "sim/wave/wave_file.hpp"
 
 namespace cigsim {
 namespace {
@@ -87,16 +89,20 @@ void write_packed(const std::filesystem::path& file,
         "is left incomplete by vcd2fst: the disk is full, or the run ended ahead of the window");
 }
 
-// The stages' views one below the other, the clock once, under the name of the file.
+// The stages' views one below the other, the clock once, under the name of the file. Writes the
+// names of values that they use, each file beside the wave.
 std::string saved_view(const WaveRequest& request) {
   constexpr std::string_view kClock = "@28\ncigsim.clock\n";
   std::string text = fmt::format("[dumpfile] \"{}\"\n[timestart] 0\n{}",
                                  std::filesystem::absolute(request.file).string(), kClock);
+  const WaveFile file(request.file);
+  const std::string folder =
+      std::filesystem::absolute(request.file).replace_extension().string() + ".";
   for (const Stage stage : request.stages) {
-    std::string_view view = embedded_text(embedded_views(), std::string(name_of(stage)) + ".gtkw");
-    const std::size_t clock = view.find(kClock);
-    if (clock != std::string_view::npos) view.remove_prefix(clock + kClock.size());
-    text += view;
+    const StageView view = stage_view(name_of(stage), file.signals(), folder);
+    text += view.text;
+    for (const std::string& names : view.names)
+      write_file(folder + names, embedded_text(embedded_views(), names));
   }
   return text;
 }

@@ -19,6 +19,7 @@ enum Flags : std::uint64_t {
   kBlank = 0x200,  // a heading or an empty row
   kSigned = 0x400,
   kText = 0x800,
+  kNamed = 0x2000,  // values have names from a file
   kGroupEnd = 0x1000000
 };
 
@@ -57,9 +58,10 @@ class ViewReader {
     switch (line.front()) {
       case '[':  // the window's state
       case '*':  // zoom and markers
-      case '^':  // filters
       case '>':  // shifts of time
         return;
+      case '^':
+        return take_filter(line.substr(1));
       case '@':
         return take_flags(line.substr(1));
       case '-':
@@ -71,7 +73,7 @@ class ViewReader {
       default:
         if (line.find(' ') != std::string_view::npos)
           fail(fmt::format("'{}' is not the name of a signal", line.substr(0, 60)));
-        add({ViewRow::Kind::kSignal, std::string(line), "", radix_of(flags_), line_});
+        add_signal(line, "");
     }
   }
 
@@ -88,20 +90,31 @@ class ViewReader {
          Radix::kHexadecimal, line_});
   }
 
+  // ^number file; 0 for none. A filter that is a program has ^> or ^<.
+  void take_filter(std::string_view text) {
+    if (text.starts_with('>') || text.starts_with('<')) return;
+    const std::size_t blank = text.find(' ');
+    names_ = text.starts_with('0') || blank == std::string_view::npos ? "" : text.substr(blank + 1);
+  }
+
   // +{label} name
   void take_alias(std::string_view line) {
     const std::size_t close = line.find("} ");
     if (!line.starts_with("+{") || close == std::string_view::npos || close + 2 == line.size())
       fail(fmt::format("'{}' must be +{{label}} and the name of a signal", line.substr(0, 60)));
-    add({ViewRow::Kind::kSignal, std::string(line.substr(close + 2)),
-         std::string(line.substr(2, close - 2)), radix_of(flags_), line_});
+    add_signal(line.substr(close + 2), line.substr(2, close - 2));
   }
 
+  void add_signal(std::string_view name, std::string_view label) {
+    add({ViewRow::Kind::kSignal, std::string(name), std::string(label), radix_of(flags_), line_,
+         flags_ & kNamed ? names_ : ""});
+  }
   void add(ViewRow row) { rows_.push_back(std::move(row)); }
 
   const std::string& name_;
   int line_ = 0;
   std::uint64_t flags_ = 0;
+  std::string names_;
   std::vector<ViewRow> rows_;
 };
 

@@ -224,7 +224,7 @@ class Drawing {
     if (trace.signal.width == 1 && !trace.signal.real)
       draw_bit(trace, middle);
     else
-      draw_word(trace, row.radix, middle);
+      draw_word(trace, row, middle);
     out_ += "</g>\n";
   }
 
@@ -298,7 +298,7 @@ class Drawing {
     if (!line.empty()) put("<path class=\"b\" d=\"{}\"/>\n", line);
   }
 
-  void draw_word(const WaveTrace& trace, Radix radix, double middle) {
+  void draw_word(const WaveTrace& trace, const WavePictureRow& row, double middle) {
     for_visible(
         stretches(trace),
         [&](const Stretch& s) {
@@ -315,10 +315,15 @@ class Drawing {
               s.value->empty() || (digits && s.value->find_first_of("xz") != std::string::npos);
           box(s, middle, unknown);
           box_text(s, middle,
-                   s.value->empty() ? "x" : (digits ? value_text(*s.value, radix) : *s.value),
+                   s.value->empty() ? "x" : (digits ? digits_text(*s.value, row) : *s.value),
                    unknown);
         },
         [&](double begin, double end) { rectangle("e", begin, end, middle); });
+  }
+
+  static std::string digits_text(const std::string& digits, const WavePictureRow& row) {
+    const std::string text = value_text(digits, row.radix);
+    return row.names ? row.names->of(text) : text;
   }
 
   // Open ends lie outside the window, which cuts them off.

@@ -3,10 +3,12 @@
 // system, on white.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "sim/wave/saved_view.hpp"
+#include "sim/wave/value_names.hpp"
 #include "sim/wave/wave.hpp"
 
 namespace cigsim {
@@ -15,7 +17,8 @@ struct WavePictureRow {
   ViewRow::Kind kind = ViewRow::Kind::kSignal;
   std::string label;  ///< of a signal or heading
   Radix radix = Radix::kHexadecimal;
-  std::size_t trace = 0;  ///< of a signal: its place in the wave
+  std::size_t trace = 0;                              ///< of a signal: its place in the wave
+  std::shared_ptr<const ValueNames> names = nullptr;  ///< of its values, if it has any
 };
 
 struct WavePictureOptions {
