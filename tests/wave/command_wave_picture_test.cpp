@@ -24,6 +24,21 @@ TEST_F(CommandTest, AWavePictureShowsWhatTheViewNames) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
 }
 
+// The file with the names is looked for beside the view.
+TEST_F(CommandTest, AWavePictureShowsValuesByName) {
+  std::filesystem::create_directory(folder_ / "views");
+  put("w.vcd", kWave);
+  put("views/w.gtkw", "@2420\n^1 count.names\ntop.count[7:0]\n");
+  const std::vector<std::string> words{"wave-picture", "w.vcd", "--view",
+                                       "views/w.gtkw", "-o",    "w.svg"};
+  expect_unusable(words, "count.names: no such file");
+  put("views/count.names", "3 three\n-1 minus one\n");
+  ASSERT_EQ(cigsim(words).exit_code, 0);
+  const std::string svg = contents("w.svg");
+  for (const char* text : {">0<", ">three<", ">minus one<"})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+}
+
 TEST_F(CommandTest, AWavePictureShowsTheWindowAndTheSignalsAskedFor) {
   put("w.vcd", kWave);
   ASSERT_EQ(cigsim({"wave-picture", "w.vcd", "--cycles", "--from", "1", "--to", "2", "--signal",

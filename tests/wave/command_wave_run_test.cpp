@@ -3,9 +3,11 @@
 #include <csignal>
 #include <set>
 
+#include "firmware/programs.hpp"
 #include "sim/level.hpp"
 #include "sim/wave/programs.hpp"
 #include "sim/wave/saved_view.hpp"
+#include "sim/wave/value_names.hpp"
 #include "sim/wave/wave_file.hpp"
 #include "tests/sim/process.hpp"
 
@@ -65,6 +67,20 @@ TEST_F(CommandTest, EverySavedViewNamesSignalsThatThereAre) {
     clocks += row.text == "cigsim.clock" ? 1 : 0;
   }
   EXPECT_EQ(clocks, 1u);
+}
+
+// The names of values lie beside the wave.
+TEST_F(CommandTest, ASavedViewCanBeDrawnAtOnce) {
+  ASSERT_EQ(cigsim(small_run({"--level", "priority_processor=clocked", "--wave", "w.vcd",
+                              "--wave-cycles", "0:3000"}))
+                .exit_code,
+            0);
+  const std::size_t size = firmware::stage_program("priority_processor").words.size();
+  EXPECT_EQ(ValueNames::parse(contents("w.priority_processor.microprogram.names"), "names").size(),
+            size);
+  const Outcome outcome =
+      cigsim({"wave-picture", "w.vcd", "--view", "w.gtkw", "--width", "9000", "-o", "w.svg"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 TEST_F(CommandTest, AWaveHasItsWindowAndItsStageAlone) {

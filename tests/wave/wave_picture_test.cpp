@@ -44,6 +44,15 @@ double x_of(const std::string& svg, const std::string& text) {
   return found ? std::stod(match[1]) : 0;
 }
 
+TEST(WavePicture, ValuesAreShownByTheirNames) {
+  std::vector<WavePictureRow> rows = kRows;
+  rows[2].names = std::make_shared<ValueNames>(ValueNames::parse("5 go <\n", "names"));
+  const std::string svg = wave_picture(small_wave(), rows, {});
+  EXPECT_EQ(count(svg, ">go &lt;<"), 1u);
+  EXPECT_EQ(count(svg, ">100<"), 1u);
+  EXPECT_EQ(count(svg, ">5<") + 1, count(wave_picture(small_wave(), kRows, {}), ">5<"));
+}
+
 TEST(WavePicture, ValuesNamesAndHeadingsAreThereAsText) {
   const std::string svg = wave_picture(small_wave(), kRows, {});
   for (const char* text : {">In &amp; out<", ">valid<", ">element<", ">a&lt;b<", ">5<", ">100<"})
