@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
   cigsim::add_run(program, exit_code);
   cigsim::add_prepare(program, exit_code);
   cigsim::add_requirements(program, exit_code);
+  cigsim::add_gates(program, exit_code);
   cigsim::add_generate(program, exit_code);
   cigsim::add_levels(program, exit_code);
   cigsim::add_machines(program, exit_code);

@@ -11,6 +11,7 @@ namespace cigsim {
 void add_run(CLI::App& program, int& exit_code);
 void add_prepare(CLI::App& program, int& exit_code);
 void add_requirements(CLI::App& program, int& exit_code);
+void add_gates(CLI::App& program, int& exit_code);
 void add_generate(CLI::App& program, int& exit_code);
 void add_levels(CLI::App& program, int& exit_code);
 void add_machines(CLI::App& program, int& exit_code);
