@@ -44,18 +44,13 @@ module item_output (
   assign put = (put_counted || put_end_i) && free && !drop_o;
 
   always_ff @(posedge clk_i) begin
-    if (rst_i) begin
-      valid_q <= 1'b0;
-      set_q <= Static;
-      item_q <= '0;
-      end_q <= 1'b0;
-    end else begin
-      if (free) valid_q <= put;
-      if (put) begin
-        end_q <= put_end_i;
-        set_q <= put_end_i ? Static : put_ground_i ? Ground : word_i[30] ? Moving : Static;
-        item_q <= put_end_i ? '0 : put_ground_i ? ground_item_q : word_i[29:0];
-      end
+    if (rst_i) valid_q <= 1'b0;
+    else if (free) valid_q <= put;
+
+    if (put) begin
+      end_q <= put_end_i;
+      set_q <= put_end_i ? Static : put_ground_i ? Ground : word_i[30] ? Moving : Static;
+      item_q <= put_end_i ? '0 : put_ground_i ? ground_item_q : word_i[29:0];
     end
   end
 

@@ -162,6 +162,30 @@ TEST(PriorityProcessorRtl, AgreesOnPreparedWorlds) {
   lock_step.run(3'000'000);
 }
 
+// Where the lowest bits decide: the eye on a plane, and a unit of its word off it.
+TEST(PriorityProcessorRtl, AgreesWhereTheEyeIsNextToAPlane) {
+  test::fresh_simulation();
+  Random random(11);
+  std::deque<PriorityCase> cases;
+  LockStep lock_step;
+  std::size_t firsts[2] = {0, 0};
+  for (int n = 0; n < 30; ++n) {
+    const auto whole = [&] { return std::ldexp(static_cast<int>(random.below(1 << 28)), -20); };
+    const Vec3 point{whole(), -whole(), whole()};
+    const Vec3 normal{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    for (const double off : {-0x1p-20, 0.0, 0x1p-20}) {
+      cases.push_back(
+          test::table_case(2, {{normal, point, {{1, 0}}}}, {point.x + off, point.y, point.z}));
+      lock_step.add(cases.back(), kSmall, 1);
+    }
+  }
+  lock_step.run(10'000);
+  for (std::size_t i = 0; i < lock_step.cases(); ++i)
+    ++firsts[lock_step.rtl(i).history.at(0).word.item];
+  EXPECT_GT(firsts[0], 20u);
+  EXPECT_GT(firsts[1], 20u);
+}
+
 /// The list that the RTL makes, a digit an item, and '!' after it for a fault.
 std::vector<std::string> tables(const std::deque<PriorityCase>& cases) {
   LockStep lock_step;
