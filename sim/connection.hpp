@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A link with what its two ends need: nothing for a timed stage, a transactor and wires for a
-// clocked one.
+// clocked one or RTL.
 #pragma once
 
 #include <memory>
 #include <string>
 
+#include "models/boundary/stuck_bit.hpp"
 #include "models/boundary/trace_words.hpp"
 #include "models/boundary/transactors.hpp"
 
@@ -37,12 +38,26 @@ class Connection {
   /// Connects the pins of a clocked producer or consumer.
   void from(PinOut<T>& pins) { producer_.connect(pins); }
   void to(PinIn<T>& pins) { consumer_.connect(pins); }
+  /// A producer, by pins of which a bit is stuck.
+  void from(PinOut<T>& pins, const StuckBit& fault) {
+    pins.valid(sound_.valid);
+    pins.word(sound_.word);
+    pins.ready(producer_.ready);
+    fault_ =
+        std::make_unique<StuckPins<T>>((link.name() + "_fault").c_str(), fault, sound_, producer_);
+  }
+
+  /// What is connected to the producer, and to the consumer.
+  Wires<T>& producer() { return producer_; }
+  Wires<T>& consumer() { return consumer_; }
 
  private:
   std::unique_ptr<ClockedLink<T>> both_;
   std::unique_ptr<PinsToLink<T>> sink_;
   std::unique_ptr<LinkToPins<T>> source_;
+  std::unique_ptr<StuckPins<T>> fault_;
   Wires<T> producer_, consumer_;
+  Wires<T> sound_;  // ahead of the stuck bit
 };
 
 }  // namespace cigsim

@@ -82,7 +82,8 @@ bool exists(Stage stage, Level level) {
     case Level::kClocked:
       return stage != Stage::kFrameCalculator;
     case Level::kRtl:
-      break;
+      return stage == Stage::kPriorityProcessor || stage == Stage::kEdgeOrderer ||
+             stage == Stage::kPriorityResolver;
   }
   return false;
 }

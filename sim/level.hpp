@@ -38,6 +38,9 @@ Stage parse_stage(std::string_view what, std::string_view text);
 
 bool exists(Stage stage, Level level);
 
+/// Has pins that change with a clock.
+inline bool has_pins(Level level) { return level == Level::kClocked || level == Level::kRtl; }
+
 /// A level for each stage: all functional, or none.
 class LevelChoice {
  public:

@@ -60,21 +60,44 @@ MachineOptions machine_options(const MachineChoices& choices, const std::optiona
   return options;
 }
 
-void add_machine_options(CLI::App& command, MachineChoices& o) {
+namespace {
+
+// An option of the group of the machine's.
+template <class Take>
+void add(CLI::App& command, const char* name, const char* form, Take take, const char* help) {
+  command.add_option_function<std::string>(name, take, help)->type_name(form)->group("Machine");
+}
+
+}  // namespace
+
+void add_description_options(CLI::App& command, MachineChoices& o) {
   using Text = std::string;
-  const auto add = [&](const char* name, const char* form, auto take, const char* help) {
-    command.add_option_function<Text>(name, take, help)->type_name(form)->group("Machine");
-  };
   add(
-      "--machine", "PRESET|FILE", [&o](const Text& t) { o.machine = t; },
+      command, "--machine", "PRESET|FILE", [&o](const Text& t) { o.machine = t; },
       "The machine: nasa1968, asupt1975, unlimited (default where one is needed), or a description "
       "of your own; cigsim machines shows them");
   add(
-      "--level", "LEVEL|STAGE=LEVEL,...", [&o](const Text& t) { o.levels = LevelChoice::parse(t); },
-      "functional (default), timed, or clocked; or a level for some stages, the others timed. "
+      command, "--overload", "drop|cut|extend",
+      [&o](const Text& t) {
+        o.overload = parse_choice<OverloadPolicy>("--overload", t,
+                                                  {{"drop", OverloadPolicy::kDrop},
+                                                   {"cut", OverloadPolicy::kCut},
+                                                   {"extend", OverloadPolicy::kExtend}});
+      },
+      "When a frame is more than the machine holds: drop what has the lowest priority (default), "
+      "cut the rest of the line, or take longer (a reconstruction)");
+}
+
+void add_machine_options(CLI::App& command, MachineChoices& o) {
+  using Text = std::string;
+  add_description_options(command, o);
+  add(
+      command, "--level", "LEVEL|STAGE=LEVEL,...",
+      [&o](const Text& t) { o.levels = LevelChoice::parse(t); },
+      "functional (default), timed, clocked, or rtl; or a level for some stages, the others timed. "
       "cigsim levels shows which there are");
   add(
-      "--number", "float|double|machine|exact",
+      command, "--number", "float|double|machine|exact",
       [&o](const Text& t) {
         o.number = parse_choice<NumberType>("--number", t,
                                             {{"float", NumberType::kFloat},
@@ -84,19 +107,9 @@ void add_machine_options(CLI::App& command, MachineChoices& o) {
       },
       "Numbers to compute with: fast, the ideal picture (default), the machine's own words "
       "(default "
-      "with --machine and with --level timed or clocked), or rationals without rounding");
+      "with --machine, and at the levels that know time), or rationals without rounding");
   add(
-      "--overload", "drop|cut|extend",
-      [&o](const Text& t) {
-        o.overload = parse_choice<OverloadPolicy>("--overload", t,
-                                                  {{"drop", OverloadPolicy::kDrop},
-                                                   {"cut", OverloadPolicy::kCut},
-                                                   {"extend", OverloadPolicy::kExtend}});
-      },
-      "When a frame is more than the machine holds: drop what has the lowest priority (default), "
-      "cut the rest of the line, or take longer (a reconstruction)");
-  add(
-      "--priority", "counters|so",
+      command, "--priority", "counters|so",
       [&o](const Text& t) {
         o.priority = parse_choice<PriorityMethod>(
             "--priority", t,
@@ -104,7 +117,7 @@ void add_machine_options(CLI::App& command, MachineChoices& o) {
       },
       "Priority from a counter per object (default) or from the separating-object matrix");
   add(
-      "--resolver", "auto|painter|coverage|active-list",
+      command, "--resolver", "auto|painter|coverage|active-list",
       [&o](const Text& t) {
         o.resolver = parse_choice<ResolverMethod>("--resolver", t,
                                                   {{"auto", ResolverMethod::kAuto},

@@ -21,6 +21,8 @@ struct MachineChoices {
   LevelChoice levels;
 };
 
+/// Those of them that describe the machine: --machine and --overload.
+void add_description_options(CLI::App& command, MachineChoices& choices);
 void add_machine_options(CLI::App& command, MachineChoices& choices);
 
 /// What the choices mean together. Without --raster the machine's own raster is taken. Throws

@@ -5,7 +5,9 @@
 #include <ostream>
 #include <string>
 #include <systemc>
+#include <type_traits>
 
+#include "models/boundary/fields.hpp"
 #include "models/boundary/words.hpp"
 
 namespace cigsim {
@@ -41,42 +43,34 @@ inline std::ostream& operator<<(std::ostream& out, const SpanWord& word) {
   return out << " elements " << word.first << ".." << word.end << (word.last ? " last" : "");
 }
 
+template <class Word>
+void trace_fields(sc_core::sc_trace_file* file, const Word& word, const std::string& name) {
+  for_each_field(word, [&](const char* field, const auto& value) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, SetId>)
+      sc_core::sc_trace(file, reinterpret_cast<const unsigned char&>(value), name + "." + field, 2);
+    else
+      sc_core::sc_trace(file, value, name + "." + field);
+  });
+}
+
 inline void sc_trace(sc_core::sc_trace_file* file, const FrameWord& word, const std::string& name) {
-  sc_core::sc_trace(file, word.frame, name + ".frame");
+  trace_fields(file, word, name);
 }
 inline void sc_trace(sc_core::sc_trace_file* file, const ItemWord& word, const std::string& name) {
-  sc_core::sc_trace(file, reinterpret_cast<const unsigned char&>(word.set), name + ".set", 2);
-  sc_core::sc_trace(file, word.item, name + ".item");
-  sc_core::sc_trace(file, word.end, name + ".end");
+  trace_fields(file, word, name);
 }
 inline void sc_trace(sc_core::sc_trace_file* file, const EdgeWord& word, const std::string& name) {
-  sc_core::sc_trace(file, word.face, name + ".face");
-  sc_core::sc_trace(file, word.first_line, name + ".first_line");
-  sc_core::sc_trace(file, word.end_line, name + ".end_line");
-  sc_core::sc_trace(file, word.left, name + ".left");
-  sc_core::sc_trace(file, word.end, name + ".end");
-  sc_core::sc_trace(file, word.x, name + ".x");
-  sc_core::sc_trace(file, word.slope, name + ".slope");
+  trace_fields(file, word, name);
 }
 inline void sc_trace(sc_core::sc_trace_file* file, const FaceWord& word, const std::string& name) {
-  sc_core::sc_trace(file, word.face, name + ".face");
-  sc_core::sc_trace(file, word.object, name + ".object");
-  sc_core::sc_trace(file, word.colour, name + ".colour");
-  sc_core::sc_trace(file, word.end, name + ".end");
+  trace_fields(file, word, name);
 }
 inline void sc_trace(sc_core::sc_trace_file* file, const CrossingWord& word,
                      const std::string& name) {
-  sc_core::sc_trace(file, word.face, name + ".face");
-  sc_core::sc_trace(file, word.element, name + ".element");
-  sc_core::sc_trace(file, word.left, name + ".left");
-  sc_core::sc_trace(file, word.end, name + ".end");
-  sc_core::sc_trace(file, word.cut, name + ".cut");
+  trace_fields(file, word, name);
 }
 inline void sc_trace(sc_core::sc_trace_file* file, const SpanWord& word, const std::string& name) {
-  sc_core::sc_trace(file, word.face, name + ".face");
-  sc_core::sc_trace(file, word.first, name + ".first");
-  sc_core::sc_trace(file, word.end, name + ".end");
-  sc_core::sc_trace(file, word.last, name + ".last");
+  trace_fields(file, word, name);
 }
 
 }  // namespace cigsim

@@ -29,9 +29,12 @@ verilator --cc --trace --trace-max-array 256 --trace-max-width 4096 --trace-stru
   --Mdir "$work" --prefix "V$module" --top-module "$module" "$sources/rtl/$stage/$module.sv" >&2
 
 root=$(verilator --getenv VERILATOR_ROOT)
-flags="-std=c++17 -fPIC -fvisibility=hidden -ffp-contract=off -I$work -I$sources
-  -isystem $root/include -isystem $root/include/vltstd -DVERILATOR=1 -DVM_COVERAGE=$(case "$options" in
-  *coverage*) echo 1 ;; *) echo 0 ;; esac) -DVM_SC=0 -DVL_USER_STOP=1 -DVM_TRACE=1 -DVM_TRACE_VCD=1 -DVM_TRACE_FST=0"
+coverage_flag=0
+case "$options" in *coverage*) coverage_flag=1 ;; esac
+flags="-std=c++17 -fPIC -fvisibility=hidden -ffp-contract=off -I$sources -isystem $root/include
+  -isystem $root/include/vltstd -DVERILATOR=1 -DVM_COVERAGE=$coverage_flag -DVM_SC=0
+  -DVL_USER_STOP=1 -DVM_TRACE=1 -DVM_TRACE_VCD=1 -DVM_TRACE_FST=0
+  -DVL_PRINTF(...)=static_cast<void>(0)" # vl_stop() tells of broken contracts
 compiler=${CXX:-g++}
 # What runs once needs no optimiser, and waves little of it.
 optimiser() {
@@ -44,16 +47,18 @@ optimiser() {
 if command -v ccache >/dev/null; then compiler="ccache $compiler"; fi
 
 echo "compiler $module"
-for file in verilated verilated_threads verilated_vcd_c verilated_cov; do
-  if [ -f "$root/include/$file.cpp" ] && [ ! -f "$runtime/$file.o" ]; then
-    $compiler $flags -O2 -c "$root/include/$file.cpp" -o "$runtime/$file.$$.o"
-    mv "$runtime/$file.$$.o" "$runtime/$file.o"
-  fi
-done
 objects=
+for file in verilated verilated_threads verilated_vcd_c verilated_cov; do
+  object=$runtime/$file-$(echo "$flags" | cksum | cut -d' ' -f1).o
+  if [ -f "$root/include/$file.cpp" ] && [ ! -f "$object" ]; then
+    $compiler $flags -O2 -c "$root/include/$file.cpp" -o "$object.$$"
+    mv "$object.$$" "$object"
+  fi
+  objects="$objects $object"
+done
 for file in "$work"/V*.cpp "$sources/rtl/$stage/$module.shim.cpp"; do
   object=$work/$(basename "$file" .cpp).o
-  $compiler $flags $(optimiser "$file") -c "$file" -o "$object" &
+  $compiler $flags -I"$work" $(optimiser "$file") -c "$file" -o "$object" &
   objects="$objects $object"
   # Two at a time.
   if [ -n "${before:-}" ]; then wait "$before"; before=; else before=$!; fi
@@ -61,6 +66,6 @@ done
 wait
 
 echo "link $module"
-$compiler -shared -Wl,-Bsymbolic -o "$work/library.so" $objects "$runtime"/*.o -pthread
+$compiler -shared -Wl,-Bsymbolic -o "$work/library.so" $objects -pthread
 mv "$work/library.so" "$output"
 rm -rf "$work"

@@ -47,6 +47,7 @@ class Shim {
     context_.traceEverOn(true);
     module_ = std::make_unique<Module>(&context_, "rtl");
     module_->clk_i = 0;
+    module_->eval();  // else the first edge would not be seen to rise
   }
   ~Shim() { module_->final(); }
 

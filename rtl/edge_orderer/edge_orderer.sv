@@ -10,11 +10,11 @@
 module edge_orderer #(
     parameter int Edges = 4096,    // of a picture, 2 or more
     parameter int Lines = 1024,    // of the raster, 2 to 8192
-    parameter int Crossings = 256  // cells of a sorting memory: a power of two, 2 or more
+    parameter int Crossings = 256  // cells of a sorting memory: a power of two, 4 or more
 ) (
     input logic        clk_i,
     input logic        rst_i,
-    // Of the raster, 1 or more.
+    // Taken over while the reset lasts. Of the raster, 1 or more:
     input logic [13:0] cfg_width_i,
     input logic [13:0] cfg_height_i,
     input logic [31:0] cfg_crossing_capacity_i,  // 0: no limit
@@ -63,6 +63,19 @@ module edge_orderer #(
   localparam int KeyWidth = 14 + 1 + 24 + PlaceWidth;
   localparam logic [1:0] Extend = 2'd2;
 
+  // The configuration, as it is while the reset lasts.
+  logic [13:0] width_q, height_q;
+  logic [31:0] capacity_q;
+  logic [1:0] policy_q;
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      width_q <= cfg_width_i;
+      height_q <= cfg_height_i;
+      capacity_q <= cfg_crossing_capacity_i;
+      policy_q <= cfg_policy_i;
+    end
+  end
+
   // Load side (EO5, EO6).
   logic loading_q;
   logic [31:0] load_frame_q;
@@ -110,8 +123,8 @@ module edge_orderer #(
   assign inserts = fill_q == Insert;
   assign crossings = in_bucket + in_list;
   assign unpassed = begins && !again_q ? crossings : unpassed_q;
-  assign last_pass = cfg_policy_i != Extend || cfg_crossing_capacity_i == '0 ||
-      32'(unpassed) <= cfg_crossing_capacity_i;
+  assign last_pass = policy_q != Extend || capacity_q == '0 ||
+      32'(unpassed) <= capacity_q;
   assign pass_end = (begins && crossings == '0) || (inserts && remaining_q == EdgeCountWidth'(1));
   assign line_end = pass_end && last_pass;
   assign next_line = line_q + 1'b1;
@@ -187,7 +200,7 @@ module edge_orderer #(
   logic [13:0] element;
   logic [KeyWidth-1:0] key;
   edge_stepper stepper (
-      .cfg_width_i(cfg_width_i),
+      .width_i    (width_q),
       .x_i        (read_x),
       .slope_i    (read_slope),
       .element_o  (element),
@@ -230,8 +243,8 @@ module edge_orderer #(
   ) overload (
       .clk_i                  (clk_i),
       .rst_i                  (rst_i),
-      .cfg_policy_i           (cfg_policy_i),
-      .cfg_crossing_capacity_i(cfg_crossing_capacity_i),
+      .policy_i   (policy_q),
+      .capacity_i (capacity_q),
       .crossing_i             (inserts),
       .key_i                  (key),
       .pass_end_i             (pass_end),
@@ -268,7 +281,7 @@ module edge_orderer #(
   assign taken = offered && crossings_ready_i;
   assign drained = taken && (end_word ||
       (drain_count == CountWidth'(1) && !ends_line_q[drain_memory_q]));
-  assign picture_end = drained && end_word && drain_line_q + 1'b1 == cfg_height_i;
+  assign picture_end = drained && end_word && drain_line_q + 1'b1 == height_q;
 
   for (genvar m = 0; m < 2; m++) begin : gen_sorting
     logic fills, drains;
@@ -335,7 +348,7 @@ module edge_orderer #(
     if (fill_q == Idle) begin
       if (start_valid_i) fill_d = Begin;
     end else if (pass_end) begin
-      if (line_end && next_line == cfg_height_i) fill_d = Done;
+      if (line_end && next_line == height_q) fill_d = Done;
       else fill_d = filled_d[!fill_memory_q] ? Wait : Begin;
     end else if (begins) begin
       fill_d = Insert;
@@ -366,7 +379,7 @@ module edge_orderer #(
     if (begins) bucket_place_q <= bucket_first;
     else if (from_bucket) bucket_place_q <= read_next;
     remaining_q <= begins ? crossings : remaining_q - 1'b1;
-    if (pass_end) unpassed_q <= unpassed - cfg_crossing_capacity_i[EdgeCountWidth-1:0];
+    if (pass_end) unpassed_q <= unpassed - capacity_q[EdgeCountWidth-1:0];
     else if (begins) unpassed_q <= unpassed;
   end
 
@@ -388,7 +401,7 @@ module edge_orderer #(
   end
 
   `CIGSIM_ASSERT(EdgesInTheRaster, !add || (edges_first_line_i < edges_end_line_i &&
-                                            edges_end_line_i <= cfg_height_i))
+                                            edges_end_line_i <= height_q))
   `CIGSIM_ASSERT(StartsWhatIsLoaded, !(start_ready_o && start_valid_i) ||
                                      (start_frame_i < load_frame_q &&
                                       load_frame_q - start_frame_i <= 32'd2))
@@ -401,7 +414,7 @@ module edge_orderer #(
   crossing_check crossing_check (
       .clk_i    (clk_i),
       .rst_i    (rst_i),
-      .width_i  (cfg_width_i),
+      .width_i  (width_q),
       .valid_i  (crossings_valid_o),
       .ready_i  (crossings_ready_i),
       .face_i   (crossings_face_o),

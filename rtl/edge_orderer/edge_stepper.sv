@@ -3,7 +3,7 @@
 // element that it crosses. Rules EO1 and EO2 of docs/machine/edge_orderer.md; words and saturation
 // are reconstruction.
 module edge_stepper (
-    input  logic [13:0] cfg_width_i,  // of the raster
+    input  logic [13:0] width_i,  // of the raster
     input  logic [31:0] x_i,          // 13.18
     input  logic [31:0] slope_i,      // 13.18
     output logic [13:0] element_o,    // the smallest whole number not below x, in 0..width
@@ -15,7 +15,7 @@ module edge_stepper (
   logic [13:0] whole;
   assign whole = {1'b0, x_i[30:Fraction]} + 14'(|x_i[Fraction-1:0]);
 
-  assign element_o = x_i[31] ? '0 : whole > cfg_width_i ? cfg_width_i : whole;
+  assign element_o = x_i[31] ? '0 : whole > width_i ? width_i : whole;
 
   logic [31:0] sum;
   assign sum = x_i + slope_i;

@@ -13,8 +13,8 @@ module line_overload #(
 ) (
     input logic        clk_i,
     input logic        rst_i,
-    input logic [ 1:0] cfg_policy_i,             // 0 drop, 1 cut, 2 extend
-    input logic [31:0] cfg_crossing_capacity_i,  // 0: no limit
+    input logic [ 1:0] policy_i,             // 0 drop, 1 cut, 2 extend
+    input logic [31:0] capacity_i,  // 0: no limit
 
     input logic                crossing_i,  // one comes
     input logic [KeyWidth-1:0] key_i,
@@ -53,8 +53,8 @@ module line_overload #(
   assign face = key_i[PlaceWidth+:24];
 
   logic bounded, at_capacity, no_cell;
-  assign bounded = cfg_crossing_capacity_i != '0;
-  assign at_capacity = bounded && 32'(count_i) == cfg_crossing_capacity_i;
+  assign bounded = capacity_i != '0;
+  assign at_capacity = bounded && 32'(count_i) == capacity_i;
   assign no_cell = count_i == CountWidth'(Crossings);
 
   // Of the crossing and the last cell the later one, which is pushed out of a full memory.
@@ -64,7 +64,7 @@ module line_overload #(
   assign pushed_out = before_last ? last_i[KeyWidth-1-:14] : key_i[KeyWidth-1-:14];
 
   logic by_faces, wanted, full;
-  assign by_faces = cfg_policy_i != Cut && cfg_policy_i != Extend;
+  assign by_faces = policy_i != Cut && policy_i != Extend;
   assign wanted = by_faces ? !limited_q || face < limit_q : !marked_q || mark_q < key_i;
   assign full = crossing_i && wanted && at_capacity;
   assign too_small_o = crossing_i && wanted && !at_capacity && no_cell;
@@ -79,7 +79,7 @@ module line_overload #(
   assign insert_o = crossing_i && wanted && !too_small_o &&
       (!full || (by_faces ? face < limit_d : before_last));
 
-  assign cut_d = cut_q || (full && cfg_policy_i == Cut);
+  assign cut_d = cut_q || (full && policy_i == Cut);
   assign rest_d = full && (!cut_q || pushed_out < rest_q) ? pushed_out : rest_q;
 
   assign overfull_o = limited_d || cut_d || marked_q;
@@ -87,7 +87,7 @@ module line_overload #(
   assign rest_o = rest_d;
 
   logic this_dropped;
-  assign this_dropped = by_faces ? crossing_i && !too_small_o && !insert_o : full && cfg_policy_i == Cut;
+  assign this_dropped = by_faces ? crossing_i && !too_small_o && !insert_o : full && policy_i == Cut;
   assign dropped_o = (clear_o ? {1'b0, cleared_i} : '0) + {{CountWidth{1'b0}}, this_dropped};
 
   always_ff @(posedge clk_i) begin
@@ -109,7 +109,7 @@ module line_overload #(
 
   `CIGSIM_ASSERT(LimitOnlyFalls, !(limited_q && search_o) || limit_d < limit_q)
   `CIGSIM_ASSERT(MarkIsThereInTime, !(crossing_i && pass_ended_q))
-  `CIGSIM_ASSERT(MoreThanTheCapacityNeverFits, !bounded || 32'(count_i) <= cfg_crossing_capacity_i)
+  `CIGSIM_ASSERT(MoreThanTheCapacityNeverFits, !bounded || 32'(count_i) <= capacity_i)
   `CIGSIM_ASSERT(OneOfTheRegistersAtMost,
                  32'(limited_q) + 32'(cut_q) + 32'(marked_q) <= 1)
 endmodule

@@ -16,6 +16,8 @@ void add_generate(CLI::App& program, int& exit_code);
 void add_levels(CLI::App& program, int& exit_code);
 void add_machines(CLI::App& program, int& exit_code);
 void add_assemble(CLI::App& program, int& exit_code);
+void add_compare(CLI::App& program, int& exit_code);
+void add_replay(CLI::App& program, int& exit_code);
 void add_wave_picture(CLI::App& program, int& exit_code);
 
 }  // namespace cigsim

@@ -31,7 +31,7 @@ struct Size {
 };
 
 struct Options {
-  std::string sizes = "5x4,16x16,64x64", faces = "64,1024";
+  std::string sizes = "5x4,16x16,64x64", faces = "64,1024,4096";
   std::string machine = "asupt1975";
   bool json = false;
 };
@@ -270,7 +270,7 @@ void add_gates(CLI::App& program, int& exit_code) {
       "Yosys (package yosys); tells gates, packages, gate levels and delays, and how many objects\n"
       "could be ordered in a line and in a frame.\n"
       "\nExamples:\n"
-      "  cigsim gates                        the sizes of the manual's page\n"
+      "  cigsim gates                        the sizes of the manual, docs/machine/gates.md\n"
       "  cigsim gates --size 8x8,32x64 --faces 256 --json\n");
   command
       ->add_option("--size", options->sizes,

@@ -69,17 +69,6 @@ fs::path shipped(const RtlVariant& variant) {
   return fs::path(CIGSIM_RTL_LIBRARIES) / (variant.name() + ".so");
 }
 
-std::optional<RtlVariant> nearest_shipped(const RtlVariant& wanted) {
-  std::optional<RtlVariant> best;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(CIGSIM_RTL_LIBRARIES, error)) {
-    if (entry.path().extension() != ".so") continue;
-    const auto found = parse_name(wanted, entry.path().stem().string());
-    if (found && found->covers(wanted) && (!best || size(*found) < size(*best))) best = found;
-  }
-  return best;
-}
-
 // The steps that the build's script tells.
 constexpr const char* kSteps[] = {"verilator", "compiler", "link"};
 
@@ -121,6 +110,17 @@ bool build(const RtlVariant& variant, const fs::path& library, const fs::path& l
 
 }  // namespace
 
+std::optional<RtlVariant> shipped_rtl(const RtlVariant& wanted) {
+  std::optional<RtlVariant> best;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(CIGSIM_RTL_LIBRARIES, error)) {
+    if (entry.path().extension() != ".so") continue;
+    const auto found = parse_name(wanted, entry.path().stem().string());
+    if (found && found->covers(wanted) && (!best || size(*found) < size(*best))) best = found;
+  }
+  return best;
+}
+
 void say_on_stderr(const std::string& line) { fmt::print(stderr, "{}\n", line); }
 
 fs::path rtl_library(const RtlVariant& variant, const Say& say) {
@@ -132,7 +132,8 @@ fs::path rtl_library(const RtlVariant& variant, const Say& say) {
 
   std::string reason;
   for (const char* program : {"verilator", "g++"})
-    if (!has_program(program)) reason = fmt::format("{} is not installed", program);
+    if (reason.empty() && !has_program(program))
+      reason = fmt::format("{} is not installed", program);
   std::error_code error;
   fs::create_directories(folder, error);
   if (reason.empty() && error)
@@ -145,7 +146,7 @@ fs::path rtl_library(const RtlVariant& variant, const Say& say) {
     if (build(variant, library, log)) return library;
     reason = fmt::format("its build failed, see {}", log.string());
   }
-  if (const auto larger = nearest_shipped(variant)) {
+  if (const auto larger = shipped_rtl(variant)) {
     say(fmt::format("RTL       {}: {}; {}, which ships, takes its place", variant.name(), reason,
                     larger->name()));
     return shipped(*larger);

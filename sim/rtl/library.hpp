@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "sim/rtl/variant.hpp"
@@ -16,6 +17,9 @@ using Say = std::function<void(const std::string&)>;
 
 /// Says on standard error.
 void say_on_stderr(const std::string& line);
+
+/// The smallest size that ships and covers `wanted`.
+std::optional<RtlVariant> shipped_rtl(const RtlVariant& wanted);
 
 /// The library that holds `variant`: of exactly this size where possible. What is built goes into
 /// the folder that CIGSIM_RTL_CACHE names (default: cigsim/rtl in the user's cache folder), under a

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "sim/wave/embedded_views.hpp"
 #include "sim/wave/programs.hpp"
 #include "sim/wave/stage_view.hpp"
+#include "sim/wave/vcd_writer.hpp"
 #include "sim/wave/wave_file.hpp"
 
 namespace cigsim {
@@ -89,12 +91,29 @@ void write_packed(const std::filesystem::path& file,
         "is left incomplete by vcd2fst: the disk is full, or the run ended ahead of the window");
 }
 
+// The 26 named markers, which stand nowhere.
+constexpr const char* kNoMarkers =
+    " -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1";
+
+// The whole of a window in view, and the marker at a spot; without one, the file's beginning.
+std::string opened_at(const WaveRequest& request) {
+  if (!request.spot) return "[timestart] 0\n";
+  constexpr double kPixels = 1000;
+  const double cycle = request.spot->cycle_ns / vcd_unit_ns(request.spot->cycle_ns);
+  const auto [first, last] = request.window;
+  const double wide = static_cast<double>(last - first + 1) * cycle;
+  return fmt::format("[timestart] {:.0f}\n*{:.6f} {:.0f}{}\n", static_cast<double>(first) * cycle,
+                     -std::log2(wide / kPixels), static_cast<double>(request.spot->cycle) * cycle,
+                     kNoMarkers);
+}
+
 // The stages' views one below the other, the clock once, under the name of the file. Writes the
 // names of values that they use, each file beside the wave.
 std::string saved_view(const WaveRequest& request) {
   constexpr std::string_view kClock = "@28\ncigsim.clock\n";
-  std::string text = fmt::format("[dumpfile] \"{}\"\n[timestart] 0\n{}",
-                                 std::filesystem::absolute(request.file).string(), kClock);
+  std::string text =
+      fmt::format("[dumpfile] \"{}\"\n{}{}", std::filesystem::absolute(request.file).string(),
+                  opened_at(request), kClock);
   const WaveFile file(request.file);
   const std::string folder =
       std::filesystem::absolute(request.file).replace_extension().string() + ".";

@@ -41,14 +41,20 @@ std::string unit_text(double ns) { return ns >= 1 ? "1 ns" : fmt::format("{:.0f}
 
 }  // namespace
 
-VcdWriter::VcdWriter(std::ostream& out, double cycle_ns, const std::string& clock)
-    : out_(out), clock_(clock), clock_code_(code_of(0)) {
-  for (const double unit : {1.0, 0.1, 0.01, 0.001}) {
-    unit_ns_ = unit;
-    half_cycle_ = cycle_ns / 2 / unit;
-    if (std::abs(half_cycle_ - std::round(half_cycle_)) < 1e-9 * half_cycle_) break;
+double vcd_unit_ns(double cycle_ns) {
+  for (const double unit : {1.0, 0.1, 0.01}) {
+    const double half_cycle = cycle_ns / 2 / unit;
+    if (std::abs(half_cycle - std::round(half_cycle)) < 1e-9 * half_cycle) return unit;
   }
+  return 0.001;
 }
+
+VcdWriter::VcdWriter(std::ostream& out, double cycle_ns, const std::string& clock)
+    : out_(out),
+      unit_ns_(vcd_unit_ns(cycle_ns)),
+      half_cycle_(cycle_ns / 2 / unit_ns_),
+      clock_(clock),
+      clock_code_(code_of(0)) {}
 
 template <class T>
 std::uint64_t VcdWriter::read(const void* object) {

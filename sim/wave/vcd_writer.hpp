@@ -20,15 +20,15 @@
 
 namespace cigsim {
 
+/// The unit of time of a file: a power of ten of which half a cycle is a whole number, if there is
+/// one from 1 ps on.
+double vcd_unit_ns(double cycle_ns);
+
 class VcdWriter : public sc_core::sc_trace_file, public WaveWithParts {
  public:
   /// Writes to `out`, which must outlive it; whether that takes everything is for the caller to
   /// see. Cycle n begins at n * `cycle_ns`, and the signal `clock` rises there.
   VcdWriter(std::ostream& out, double cycle_ns, const std::string& clock);
-
-  /// The file's unit: a power of ten of which half a cycle is a whole number, if there is one from
-  /// 1 ps on.
-  double unit_ns() const { return unit_ns_; }
 
   /// Ahead of the first sample: declares what was traced.
   void declare();
@@ -96,8 +96,8 @@ class VcdWriter : public sc_core::sc_trace_file, public WaveWithParts {
   void put_clock(bool high) { out_ << (high ? '1' : '0') << clock_code_ << '\n'; }
 
   std::ostream& out_;
-  double unit_ns_ = 1e-3;
-  double half_cycle_ = 0;  // in units
+  double unit_ns_;
+  double half_cycle_;  // in units
   std::string clock_, clock_code_;
   std::vector<Value> values_;
   std::vector<RtlPart> parts_;

@@ -27,10 +27,10 @@ CycleWindow parse_window(const std::string& text) {
   return window;
 }
 
-std::vector<Stage> clocked_stages(const LevelChoice& levels) {
+std::vector<Stage> stages_with_pins(const LevelChoice& levels) {
   std::vector<Stage> stages;
   std::copy_if(kAllStages.begin(), kAllStages.end(), std::back_inserter(stages),
-               [&](Stage stage) { return levels[stage] == Level::kClocked; });
+               [&](Stage stage) { return has_pins(levels[stage]); });
   return stages;
 }
 
@@ -45,8 +45,8 @@ void add_wave_options(CLI::App& command, WaveChoices& choices) {
                 check_ending("--wave", file, {"vcd", "fst"});
                 choices.file = file;
               },
-              "Record the pins and registers of clocked stages, cycle by cycle, and save a view "
-              "of them beside the file")
+              "Record the pins and registers of clocked and RTL stages, cycle by cycle, and save "
+              "a view of them beside the file")
           ->type_name("FILE.vcd|.fst")
           ->group("Waves");
   command
@@ -64,7 +64,7 @@ void add_wave_options(CLI::App& command, WaveChoices& choices) {
             for (const std::string& name : names)
               choices.scopes.push_back(parse_stage("--wave-scope", name));
           },
-          "Record this stage alone; any number of times. Default: all clocked ones")
+          "Record this stage alone; any number of times. Default: all with pins")
       ->type_name("STAGE")
       ->expected(1)
       ->take_all()
@@ -75,9 +75,9 @@ void add_wave_options(CLI::App& command, WaveChoices& choices) {
 std::optional<WaveRequest> wave_request(const WaveChoices& choices, const LevelChoice& levels) {
   if (!choices.file) return {};
   check_wave_file("--wave", *choices.file, kPacker);
-  WaveRequest request{*choices.file, choices.window, clocked_stages(levels)};
+  WaveRequest request{*choices.file, choices.window, stages_with_pins(levels), {}};
   for (const Stage stage : choices.scopes) {
-    if (levels[stage] == Level::kClocked) continue;
+    if (has_pins(levels[stage])) continue;
     if (!exists(stage, Level::kClocked))
       throw UsageError(fmt::format("--wave-scope: {} has no clocked level", name_of(stage)));
     throw UsageError(fmt::format("--wave-scope: {0} is {1} in this run; add --level {0}=clocked",
@@ -85,7 +85,7 @@ std::optional<WaveRequest> wave_request(const WaveChoices& choices, const LevelC
   }
   if (request.stages.empty())
     throw UsageError(
-        "--wave: no stage is clocked in this run; add --level clocked, or one stage such as "
+        "--wave: no stage is clocked or RTL in this run; add --level clocked, or one stage such as "
         "--level priority_resolver=clocked");
   if (!choices.scopes.empty())
     std::erase_if(request.stages, [&](Stage stage) {

@@ -23,7 +23,13 @@ struct WaveChoices {
 struct WaveRequest {
   std::string file;  ///< .vcd or .fst
   CycleWindow window;
-  std::vector<Stage> stages;  ///< clocked, in the pipeline's order
+  std::vector<Stage> stages;  ///< with pins, in the pipeline's order
+  /// Where the saved view opens, with its marker.
+  struct Spot {
+    Cycle cycle = 0;
+    double cycle_ns = 0;
+  };
+  std::optional<Spot> spot;
 };
 
 void add_wave_options(CLI::App& command, WaveChoices& choices);

@@ -20,6 +20,11 @@ TEST(Levels, AStageWithoutTheLevelTakesTheNearestSimplerOne) {
   EXPECT_EQ(clocked[Stage::kFrameCalculator], Level::kTimed);
   EXPECT_EQ(clocked[Stage::kVideoProcessor], Level::kClocked);
   EXPECT_EQ(clocked.text(), "clocked");
+  const LevelChoice rtl = LevelChoice::parse("rtl");
+  EXPECT_EQ(rtl[Stage::kFrameCalculator], Level::kTimed);
+  EXPECT_EQ(rtl[Stage::kGeometryProcessor], Level::kClocked);
+  EXPECT_EQ(rtl[Stage::kPriorityProcessor], Level::kRtl);
+  EXPECT_EQ(rtl.text(), "rtl");
 }
 
 TEST(Levels, NamedStagesStandAmongTimedOnes) {
@@ -33,9 +38,9 @@ TEST(Levels, NamedStagesStandAmongTimedOnes) {
 
 TEST(Levels, WhatDoesNotExistIsRefused) {
   for (const char* text :
-       {"", "slow", "clocked,", "frame_calculator=clocked", "video_processor=rtl", "rtl",
-        "painter=timed", "edge_orderer", "edge_orderer=timed,", "edge_orderer=functional",
-        "edge_orderer==timed", "edge_orderer=timed,edge_orderer=clocked"}) {
+       {"", "slow", "clocked,", "frame_calculator=clocked", "video_processor=rtl", "painter=timed",
+        "edge_orderer", "edge_orderer=timed,", "edge_orderer=functional", "edge_orderer==timed",
+        "edge_orderer=timed,edge_orderer=clocked"}) {
     EXPECT_THROW(LevelChoice::parse(text), UsageError) << text;
   }
 }

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// Edge orderer: the RTL against the clocked level, on every pin in every cycle.
+#include <gtest/gtest.h>
+
+#include "models/edge_orderer/clocked.hpp"
+#include "models/edge_orderer/rtl.hpp"
+#include "tests/levels/orderer_case.hpp"
+#include "tests/support/fresh_simulation.hpp"
+
+namespace cigsim::edge_orderer {
+namespace {
+
+using test::kOneElement;
+using test::OrdererCase;
+using test::upright_edges;
+
+/// A size of the RTL that is built.
+struct Size {
+  const char* parameters;
+  std::uint32_t edges;
+  int lines;
+  std::uint32_t crossings;
+
+  std::filesystem::path library() const {
+    return std::filesystem::path(CIGSIM_RTL_LIBRARIES) /
+           (std::string("edge_orderer-") + parameters + ".so");
+  }
+};
+constexpr Size kSmall{"Edges=100-Lines=16-Crossings=16", 100, 16, 16};
+constexpr Size kShipped{"Edges=4096-Lines=1024-Crossings=256", 4096, 1024, 256};
+
+/// The pins of a cycle.
+struct Cut {
+  bool edges[2], loaded[2], start[2], crossings[2];  ///< valid, ready
+  EdgeWord edge;
+  FrameWord loaded_frame, start_frame;
+  CrossingWord crossing;
+  friend bool operator==(const Cut&, const Cut&) = default;
+};
+void PrintTo(const Cut& cut, std::ostream* out) {
+  *out << "edges " << cut.edges[0] << cut.edges[1] << " " << cut.edge << "; loaded "
+       << cut.loaded[0] << cut.loaded[1] << " " << cut.loaded_frame << "; start " << cut.start[0]
+       << cut.start[1] << " " << cut.start_frame << "; crossings " << cut.crossings[0]
+       << cut.crossings[1] << " " << cut.crossing;
+}
+
+template <class Stage>
+class PinRecorder : public sc_core::sc_module {
+ public:
+  PinRecorder(sc_core::sc_module_name name, const Clock& clock, const Stage& stage)
+      : sc_module(name), stage_(stage) {
+    SC_HAS_PROCESS(PinRecorder);
+    SC_METHOD(edge);
+    dont_initialize();
+    sensitive << clock.wire.posedge_event();
+  }
+  std::vector<Cut> cuts;
+
+ private:
+  void edge() {
+    cuts.push_back({{stage_.edges.valid, stage_.edges.ready},
+                    {stage_.loaded.valid, stage_.loaded.ready},
+                    {stage_.start.valid, stage_.start.ready},
+                    {stage_.crossings.valid, stage_.crossings.ready},
+                    stage_.edges.word,
+                    stage_.loaded.word,
+                    stage_.start.word,
+                    stage_.crossings.word});
+  }
+  const Stage& stage_;
+};
+
+/// A stage between links with the stalls of a case. `arguments` of the RTL: library, seed.
+template <class Stage>
+class Bench {
+ public:
+  template <class... Arguments>
+  Bench(const OrdererCase& c, const Clock& clock, Arguments... arguments)
+      : edges_("edges", c.depths[0], c.waits),
+        loaded_("loaded", c.depths[1], c.waits),
+        start_("start", c.depths[2], c.waits),
+        crossings_("crossings", c.depths[3], c.waits) {
+    parts_.make<test::OrdererSequencer>(c, edges_, loaded_, start_, crossings_);
+    const FiguresFunction report = [this](const Figures& frame) { figures.push_back(frame); };
+    Stage& stage = make(c, clock, report, arguments...);
+    stage.clock(clock.wire);
+    parts_.connect(clock, edges_, stage.edges);
+    parts_.connect(clock, stage.loaded, loaded_);
+    parts_.connect(clock, start_, stage.start);
+    parts_.connect(clock, stage.crossings, crossings_);
+    recorder_ = &parts_.make<PinRecorder<Stage>>(clock, stage);
+  }
+  const std::vector<Cut>& cuts() const { return recorder_->cuts; }
+  std::vector<Figures> figures;
+
+ private:
+  Stage& make(const OrdererCase& c, const Clock& clock, const FiguresFunction& report) {
+    return parts_.make<Stage>(c.machine, c.policy, clock, report);
+  }
+  Stage& make(const OrdererCase& c, const Clock& clock, const FiguresFunction& report,
+              const std::filesystem::path& library, std::uint32_t seed) {
+    return parts_.make<Stage>(c.machine, c.policy, clock, library, report, seed);
+  }
+  Link<EdgeWord> edges_;
+  Link<FrameWord> loaded_, start_;
+  Link<CrossingWord> crossings_;
+  test::Parts parts_;
+  PinRecorder<Stage>* recorder_;
+};
+
+void lock_step(const Size& size, const std::vector<std::unique_ptr<OrdererCase>>& cases) {
+  test::fresh_simulation();
+  Clock clock("clock", 125);
+  std::vector<std::unique_ptr<Bench<Clocked>>> clocked;
+  std::vector<std::unique_ptr<Bench<Rtl>>> rtl;
+  for (const auto& c : cases) {
+    const auto seed = static_cast<std::uint32_t>(clocked.size()) + 1;
+    clocked.push_back(std::make_unique<Bench<Clocked>>(*c, clock));
+    rtl.push_back(std::make_unique<Bench<Rtl>>(*c, clock, size.library(), seed));
+  }
+  const auto running = [&] {
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      if (clocked[i]->figures.size() < cases[i]->frames.size()) return true;
+    return false;
+  };
+  clock.start();
+  for (int hundreds = 0; running() && hundreds < 1000; ++hundreds)
+    sc_core::sc_start(100 * clock.period());
+  sc_core::sc_start(10 * clock.period());
+  clock.stop();
+
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    SCOPED_TRACE("case " + std::to_string(i));
+    ASSERT_EQ(clocked[i]->figures.size(), cases[i]->frames.size());
+    ASSERT_EQ(rtl[i]->cuts().size(), clocked[i]->cuts().size());
+    for (std::size_t cycle = 0; cycle < clocked[i]->cuts().size(); ++cycle)
+      ASSERT_EQ(rtl[i]->cuts()[cycle], clocked[i]->cuts()[cycle]) << "in cycle " << cycle;
+    ASSERT_TRUE(rtl[i]->figures == clocked[i]->figures);
+  }
+}
+
+/// Random cases that fit the size, the first of `first_seed`.
+std::vector<std::unique_ptr<OrdererCase>> random_cases(const Size& size, unsigned first_seed,
+                                                       std::size_t count) {
+  std::vector<std::unique_ptr<OrdererCase>> cases;
+  for (unsigned seed = first_seed; cases.size() < count; ++seed) {
+    auto made = std::make_unique<OrdererCase>(seed);
+    const std::uint32_t capacity = made->machine.crossing_capacity;
+    const bool fits = capacity == 0 ? size.crossings >= 80 : capacity <= size.crossings;
+    if (fits) cases.push_back(std::move(made));
+  }
+  return cases;
+}
+
+TEST(EdgeOrdererRtl, EveryPinAgreesWithClockedInEveryCycleOfASmallOne) {
+  lock_step(kSmall, random_cases(kSmall, 0, 800));
+}
+TEST(EdgeOrdererRtl, EveryPinAgreesWithClockedInEveryCycleOfTheShippedSize) {
+  lock_step(kShipped, random_cases(kShipped, 5000, 100));
+}
+
+// Lines of `capacity` crossings and more, whose elements come from all sides, in faces of a few
+// edges each, through all cells of the sorting memories.
+std::unique_ptr<OrdererCase> crowded(unsigned seed, std::uint32_t capacity, std::uint32_t edges,
+                                     OverloadPolicy policy) {
+  std::mt19937 random(seed);
+  const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
+  auto c = std::make_unique<OrdererCase>(upright_edges(edges, 5, capacity, policy));
+  const std::uint32_t faces = 1 + below(edges);
+  for (EdgeWord& edge : c->frames[0]) {
+    edge.face = below(faces);
+    edge.x = static_cast<Word>(below(1030 * kOneElement));
+    edge.slope = static_cast<Word>(below(200 * kOneElement)) - 100 * kOneElement;
+    edge.first_line = static_cast<std::uint16_t>(below(2));
+  }
+  c->frames.push_back(c->frames[0]);
+  return c;
+}
+
+TEST(EdgeOrdererRtl, FullAndOverfullSortingMemoriesAgree) {
+  constexpr OverloadPolicy kPolicies[] = {OverloadPolicy::kDrop, OverloadPolicy::kCut,
+                                          OverloadPolicy::kExtend};
+  std::vector<std::unique_ptr<OrdererCase>> small, shipped;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    small.push_back(crowded(seed, 16, 10 + seed, kPolicies[seed % 3]));
+    if (seed < 15) shipped.push_back(crowded(seed, 256, 200 + 40 * seed, kPolicies[seed % 3]));
+  }
+  lock_step(kSmall, small);
+  lock_step(kShipped, shipped);
+}
+
+/// What ends a simulation of the case.
+std::string fault(const OrdererCase& c) {
+  test::fresh_simulation();
+  Clock clock("clock", 125);
+  Bench<Rtl> bench(c, clock, kSmall.library(), 1u);
+  clock.start();
+  try {
+    sc_core::sc_start(1000 * clock.period());
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  EXPECT_EQ(bench.figures.size(), c.frames.size());
+  return "";
+}
+
+TEST(EdgeOrdererRtl, PicturesBeyondTheSizeAreNamed) {
+  const auto too_small = [](std::uint32_t edges, int height, std::uint32_t capacity) {
+    const std::string what = fault(upright_edges(edges, height, capacity, OverloadPolicy::kDrop));
+    EXPECT_TRUE(what.empty() || what.find("than this RTL size holds") != std::string::npos) << what;
+    return !what.empty();
+  };
+  EXPECT_FALSE(too_small(100, 2, 16));
+  EXPECT_TRUE(too_small(101, 2, 16));
+  EXPECT_FALSE(too_small(16, 16, 0));
+  EXPECT_TRUE(too_small(17, 16, 0));
+  EXPECT_FALSE(too_small(16, 16, 17));
+  EXPECT_TRUE(too_small(17, 16, 17));
+  EXPECT_TRUE(too_small(1, 17, 16));
+}
+
+TEST(EdgeOrdererRtl, BrokenContractsEndTheSimulation) {
+  OrdererCase c = upright_edges(2, 4, 16, OverloadPolicy::kDrop);
+  EXPECT_EQ(fault(c), "");
+  c.frames[0][1].end_line = c.frames[0][1].first_line;
+  EXPECT_NE(fault(c).find("a contract of the RTL is broken"), std::string::npos);
+  c.frames[0][1].end_line = 5;
+  EXPECT_NE(fault(c).find("a contract of the RTL is broken"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cigsim::edge_orderer
