@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "rtl/edge_orderer/edge_orderer.pins.hpp"
 #include "rtl/priority_processor/priority_processor.pins.hpp"
 #include "rtl/priority_processor/so_engine.pins.hpp"
 #include "rtl/priority_resolver/priority_resolver.pins.hpp"
@@ -85,6 +86,9 @@ TEST_P(RtlView, HasTheRangesOfTheWaveThatItIsSavedWith) {
 INSTANTIATE_TEST_SUITE_P(
     Sizes, RtlView,
     testing::Values(
+        Library{"edge_orderer", "Edges=100-Lines=16-Crossings=16", sizeof(rtl::edge_orderer::Pins)},
+        Library{"edge_orderer", "Edges=4096-Lines=1024-Crossings=256",
+                sizeof(rtl::edge_orderer::Pins)},
         Library{"priority_resolver", "Faces=64", sizeof(rtl::priority_resolver::Pins)},
         Library{"priority_resolver", "Faces=1024", sizeof(rtl::priority_resolver::Pins)},
         Library{"priority_processor", "Members=5-Levels=3", sizeof(rtl::priority_processor::Pins)},
