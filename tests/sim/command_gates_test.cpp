@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/sim/process.hpp"
@@ -8,7 +9,7 @@ namespace cigsim {
 namespace {
 
 TEST_F(CommandTest, GatesTellsTableAndJsonOfTheSameCircuits) {
-  const std::vector<std::string> sizes{"gates", "--size", "5x4,2x1", "--faces", "64"};
+  const std::vector<std::string> sizes{"gates", "--size", "2x1", "--faces", "64"};
   const Outcome table = cigsim(sizes);
   ASSERT_EQ(table.exit_code, 0) << table.err;
   std::vector<std::string> with_json = sizes;
@@ -28,14 +29,24 @@ TEST_F(CommandTest, GatesTellsTableAndJsonOfTheSameCircuits) {
       EXPECT_EQ(circuit["delay_ns"]["74S"], 3 * circuit["levels"].get<double>());
     }
   }
-  EXPECT_EQ(modules, (std::vector<std::string>{
-                         "so_pair", "so_row", "so_matrix", "so_pair", "so_row", "so_matrix",
-                         "object_counters", "object_counters", "active_set", "priority_resolver"}));
+  EXPECT_EQ(modules, (std::vector<std::string>{"so_pair", "so_row", "so_matrix", "object_counters",
+                                               "active_set", "priority_resolver"}));
   for (const auto& way : figures["ordering"]) {
     EXPECT_EQ(way["cycles_of_a_step"], 1);
     EXPECT_LT(way["objects_in_a_line"], way["objects_in_a_frame"]);
   }
   EXPECT_NE(table.out.find("74S: 3 ns a gate level"), std::string::npos);
+}
+
+TEST_F(CommandTest, ManualQuotesTheTableThatGatesPrints) {
+  std::ifstream file(CIGSIM_SOURCE_DIR "/docs/machine/gates.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_NE(page.find("so_matrix         64 x 64"), std::string::npos);
+  const Outcome outcome = cigsim({"gates", "--size", "5x4", "--faces", "64"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_NE(page.find(line + "\n"), std::string::npos) << line;
 }
 
 TEST_F(CommandTest, UnusableGatesAreRefused) {

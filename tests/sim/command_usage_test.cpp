@@ -17,6 +17,7 @@ TEST_F(CommandTest, HelpAndVersionSucceed) {
                              {"requirements", "--help"},
                              {"generate", "--help"},
                              {"machines", "--help"},
+                             {"gates", "--help"},
                              {"wave-picture", "--help"},
                              {"assemble", "--help"}}) {
     const Outcome outcome = cigsim(words);
@@ -31,8 +32,8 @@ TEST_F(CommandTest, HelpAndVersionSucceed) {
 }
 
 TEST_F(CommandTest, HelpLinesFitAScreen) {
-  for (const char* command :
-       {"run", "prepare", "requirements", "generate", "machines", "assemble", "wave-picture"}) {
+  for (const char* command : {"run", "prepare", "requirements", "generate", "machines", "gates",
+                              "assemble", "wave-picture"}) {
     std::istringstream help(cigsim({command, "--help"}).out);
     for (std::string line; std::getline(help, line);) EXPECT_LE(line.size(), 100u) << line;
   }
