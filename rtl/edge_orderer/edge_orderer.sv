@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Edge orderer: for each raster line the crossings of all edges with it, in the order of their
-// elements (Stump 1986, ch. II; sorts after Sandor 1979, sec. 5.2 and 5.3). The rules EO1 to EO12 are
-// those of docs/machine/edge_orderer.md; all registers and timing are reconstruction.
+// elements (Stump 1986, ch. II; sorts after Sandor 1979, sec. 5.2 and 5.3). The rules EO1 to EO12
+// are those of docs/machine/edge_orderer.md; all registers and timing are reconstruction.
 //
 // The load side puts the edges of the next picture into one bank of the edge and bucket memories.
 // The line side reads the other bank, and fills one sorting memory while the other drains.
@@ -109,12 +109,12 @@ module edge_orderer #(
   logic [2:0] fill_q, fill_d;
   logic bank_q;
   logic [13:0] line_q, next_line;
-  logic fill_memory_q;                  // which sorting memory
-  logic again_q;                        // the pass is not the line's first
-  logic [EdgeCountWidth-1:0] unpassed_q;     // crossings that were in no pass before this one
-  logic [EdgeCountWidth-1:0] remaining_q;    // crossings of the pass still to insert
-  logic [EdgeCountWidth-1:0] in_bucket_q;    // of these from the bucket, the first of them here
-  logic [PlaceWidth-1:0] bucket_place_q;
+  logic fill_memory_q;                     // which sorting memory
+  logic again_q;                           // the pass is not the line's first
+  logic [EdgeCountWidth-1:0] unpassed_q;   // crossings of the line beyond those of passes before
+  logic [EdgeCountWidth-1:0] remaining_q;  // crossings of the pass still to insert
+  logic [EdgeCountWidth-1:0] in_bucket_q;  // how many of these are from the bucket,
+  logic [PlaceWidth-1:0] bucket_place_q;   // and the place of the first
 
   logic begins, inserts, pass_end, line_end, last_pass;
   logic [EdgeCountWidth-1:0] crossings, unpassed;
@@ -241,29 +241,29 @@ module edge_orderer #(
       .Crossings (Crossings),
       .PlaceWidth(PlaceWidth)
   ) overload (
-      .clk_i                  (clk_i),
-      .rst_i                  (rst_i),
+      .clk_i      (clk_i),
+      .rst_i      (rst_i),
       .policy_i   (policy_q),
       .capacity_i (capacity_q),
-      .crossing_i             (inserts),
-      .key_i                  (key),
-      .pass_end_i             (pass_end),
-      .line_end_i             (line_end),
-      .count_i                (fill_count),
-      .last_i                 (fill_last),
-      .highest_i              (fill_highest),
-      .cleared_i              (fill_cleared),
-      .search_o               (search),
-      .insert_o               (insert),
-      .replace_o              (replace),
-      .clear_o                (clear),
-      .limit_o                (limit),
-      .pass_last_i            (pass_last),
-      .overfull_o             (overfull),
-      .cut_o                  (cut),
-      .rest_o                 (rest),
-      .dropped_o              (dropped),
-      .too_small_o            (no_cell)
+      .crossing_i (inserts),
+      .key_i      (key),
+      .pass_end_i (pass_end),
+      .line_end_i (line_end),
+      .count_i    (fill_count),
+      .last_i     (fill_last),
+      .highest_i  (fill_highest),
+      .cleared_i  (fill_cleared),
+      .search_o   (search),
+      .insert_o   (insert),
+      .replace_o  (replace),
+      .clear_o    (clear),
+      .limit_o    (limit),
+      .pass_last_i(pass_last),
+      .overfull_o (overfull),
+      .cut_o      (cut),
+      .rest_o     (rest),
+      .dropped_o  (dropped),
+      .too_small_o(no_cell)
   );
 
   // Line side, draining (EO12).

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What becomes of a line with more crossings than the sorting memory may hold: rule EO4 of
-// docs/machine/edge_orderer.md, and its registers limit, rest and mark. For a crossing that comes it
-// tells the sorting memory what to do. Reconstruction: no published behaviour of GE's machines under
-// overload was found.
+// docs/machine/edge_orderer.md, and its registers limit, rest and mark; of rest only the element,
+// as no more is told. For a crossing that comes it tells the sorting memory what to do.
+// Reconstruction: no published behaviour of GE's machines under overload was found.
 `include "rtl/common/assertions.svh"
 
 module line_overload #(
@@ -13,7 +13,7 @@ module line_overload #(
 ) (
     input logic        clk_i,
     input logic        rst_i,
-    input logic [ 1:0] policy_i,             // 0 drop, 1 cut, 2 extend
+    input logic [ 1:0] policy_i,    // 0 drop, 1 cut, 2 extend
     input logic [31:0] capacity_i,  // 0: no limit
 
     input logic                crossing_i,  // one comes
@@ -87,7 +87,8 @@ module line_overload #(
   assign rest_o = rest_d;
 
   logic this_dropped;
-  assign this_dropped = by_faces ? crossing_i && !too_small_o && !insert_o : full && policy_i == Cut;
+  assign this_dropped = by_faces ? crossing_i && !too_small_o && !insert_o :
+      full && policy_i == Cut;
   assign dropped_o = (clear_o ? {1'b0, cleared_i} : '0) + {{CountWidth{1'b0}}, this_dropped};
 
   always_ff @(posedge clk_i) begin
@@ -110,6 +111,5 @@ module line_overload #(
   `CIGSIM_ASSERT(LimitOnlyFalls, !(limited_q && search_o) || limit_d < limit_q)
   `CIGSIM_ASSERT(MarkIsThereInTime, !(crossing_i && pass_ended_q))
   `CIGSIM_ASSERT(MoreThanTheCapacityNeverFits, !bounded || 32'(count_i) <= capacity_i)
-  `CIGSIM_ASSERT(OneOfTheRegistersAtMost,
-                 32'(limited_q) + 32'(cut_q) + 32'(marked_q) <= 1)
+  `CIGSIM_ASSERT(OneOfTheRegistersAtMost, 32'(limited_q) + 32'(cut_q) + 32'(marked_q) <= 1)
 endmodule

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The sort of a line's crossings along the line (Sandor 1979, sec. 5.3): cells that hold them in
-// their order. Rules EO3 and EO4 of docs/machine/edge_orderer.md. Reconstruction: each cell compares
-// the crossing that is inserted with its own, and takes the new one or that of a neighbour, so that
-// an insertion takes one cycle. While it drains nothing moves: the first full cell is shown.
+// their order. Rules EO3 and EO4 of docs/machine/edge_orderer.md. Reconstruction: each cell
+// compares the crossing that is inserted with its own, and takes the new one or that of a
+// neighbour, so that an insertion takes one cycle. While it drains nothing moves: the first full
+// cell is shown.
 //
-// A cell that is cleared stays in the order, empty, until an insertion uses it up: the cells between
-// the new crossing's place and the first empty cell move by one towards that. A cell that was not
-// used since the memory drained holds ones, which come after every crossing.
+// A cell that is cleared keeps its place in the order, empty, until an insertion uses it up: the
+// cells between the new crossing's place and the first empty cell move by one towards that. A cell
+// that was not used since the memory drained holds ones, which come after every crossing.
 //
-// An insertion is worked out for those rows of 16 cells only through which it goes; this changes
-// nothing but the speed of the simulation.
+// For the speed of the simulation a row of cells is one word, in which a cell has 64 bits, and only
+// those rows are worked out through which an insertion goes.
 `include "rtl/common/assertions.svh"
 
 module sorting_memory #(
@@ -128,9 +129,11 @@ module sorting_memory #(
     end else begin : gen_row_above
       assign above = rows_q[r+1][0+:CellWidth];
     end
+    // Whether the insertion goes through this row.
     logic moves;
     assign moves = emptied || (insert_i && ((key < highest && up_to_room[Low]) ||
                                             (lowest < key && from_room[High])));
+    // `row` and `row_full` are of this process only.
     always_ff @(posedge clk_i) begin : insertion
       logic [RowWidth-1:0] row;
       logic [RowCells-1:0] row_full;
