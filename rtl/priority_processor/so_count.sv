@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A plane crossing, for one pair of the separating-object matrix. Instead of the words RR_l and RR_m
-// of Levine 1975, ch. VI.E, a pair keeps how many bits they have: the planes that part the two and
-// have l, or m, on the near side. The answer needs only whether each is zero. When the eye crosses a
-// plane that parts the two, it goes from one count to the other; where the plane does not tell of
-// both, or has both on one side, nothing changes. Counts instead of words are a reconstruction.
+// A plane crossing, for one pair of the separating-object matrix. Instead of the words RR_l and
+// RR_m of Levine 1975, ch. VI.E, a pair keeps how many bits they have: the planes that part the two
+// and have l, or m, on the near side. The answer needs only whether each is zero. When the eye
+// crosses a plane that parts the two, it goes from one count to the other; where the plane does not
+// tell of both, or has both on one side, nothing changes. Counts instead of words are a
+// reconstruction.
 module so_count #(
     parameter int Planes = 64,
     localparam int CountWidth = $clog2(Planes + 1)

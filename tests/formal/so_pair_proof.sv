@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// so_pair is the matrix told plane by plane (Levine 1975, ch. VI.E), for all inputs; answers exclude
-// each other; the matrix is anti-symmetric, and an object neither hides itself nor is hidden.
+// so_pair is the matrix told plane by plane (Levine 1975, ch. VI.E), for all inputs; answers
+// exclude each other; the matrix is anti-symmetric; an object neither hides itself nor is hidden.
 module so_pair_proof #(
     parameter int Planes = 64
 ) (
