@@ -143,11 +143,14 @@ module edge_orderer #(
     logic [31:0] x, slope;
     logic [PlaceWidth-1:0] next, behind, first;
     logic [EdgeCountWidth-1:0] count;
+    logic loads, reads;
+    assign loads = add && load_frame_q[0] == b;
+    assign reads = bank_q == b;
     edge_memory #(
         .Edges(Edges)
     ) edges (
         .clk_i           (clk_i),
-        .write_i         (add && load_frame_q[0] == b),
+        .write_i         (loads),
         .write_place_i   (load_place),
         .write_face_i    (edges_face_i),
         .write_left_i    (edges_left_i),
@@ -162,7 +165,7 @@ module edge_orderer #(
         .x_o             (x),
         .slope_o         (slope),
         .next_o          (next),
-        .step_i          (step && bank_q == b),
+        .step_i          (step && reads),
         .step_x_i        (stepped_x)
     );
     bucket_memory #(
@@ -171,14 +174,14 @@ module edge_orderer #(
     ) buckets (
         .clk_i      (clk_i),
         .rst_i      (rst_i),
-        .add_i      (add && load_frame_q[0] == b),
+        .add_i      (loads),
         .add_line_i (edges_first_line_i[LineWidth-1:0]),
         .add_place_i(load_place),
         .behind_o   (behind),
         .line_i     (line_q[LineWidth-1:0]),
         .first_o    (first),
         .count_o    (count),
-        .empty_i    (line_end && bank_q == b)
+        .empty_i    (line_end && reads)
     );
   end
   logic [23:0] read_face;

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Icarus reads every module of rtl/, each with the parameters that it names itself.
+# Icarus reads every module of rtl/, each with the parameters that it names itself, and takes no name
+# in it for a wire that nobody declared (a genvar in a port's expression is one to it).
 #   icarus_reads.sh SOURCES IVERILOG
 # SOURCES: folder with rtl/. Prints what is not read.
 set -eu
@@ -12,10 +13,14 @@ for folder in "$sources"/rtl/*/; do
   for file in "$folder"*.sv; do
     module=$(basename "$file" .sv)
     # shellcheck disable=SC2086 # the names have no blanks
-    if [ -f "$file" ] && ! "$iverilog" -g2012 -t null -I"$sources" -s "$module" $files; then
-      echo "Icarus does not read $file"
+    if [ -f "$file" ] &&
+      ! said=$("$iverilog" -g2012 -Wimplicit -t null -I"$sources" -s "$module" $files 2>&1); then
+      echo "Icarus does not read $file: $said"
       status=1
     fi
+    case ${said:-} in
+      *implicit*) echo "$file: $said" && status=1 ;;
+    esac
   done
 done
 exit $status
