@@ -3,13 +3,20 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
 #include <stdexcept>
+
+#include "models/boundary/rtl_coverage.hpp"
 
 namespace cigsim {
 namespace {
 
 // Stays loaded: the code of a library is shared by its models, and outlives them all.
-const rtl::Interface& load(const std::filesystem::path& library, std::size_t pins_size) {
+const rtl::Interface& load(std::filesystem::path library, std::size_t pins_size) {
+  if (const char* const folder = std::getenv("CIGSIM_RTL_INSTEAD")) {
+    const auto instead = std::filesystem::path(folder) / library.filename();
+    if (std::filesystem::exists(instead)) library = instead;
+  }
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) throw std::runtime_error(std::string("RTL library: ") + dlerror());
   const auto get =
@@ -27,7 +34,13 @@ RtlModel::RtlModel(const std::filesystem::path& library, std::size_t pins_size, 
       model_(table_->create(seed)),
       pins_(table_->pins(model_)) {}
 
-RtlModel::~RtlModel() { table_->destroy(model_); }
+RtlModel::~RtlModel() {
+  if (table_->write_coverage != nullptr)
+    add_rtl_coverage([this](const std::filesystem::path& file) {
+      table_->write_coverage(model_, file.c_str());
+    });
+  table_->destroy(model_);
+}
 
 void RtlModel::wave_open(WriteWave write) {
   write_ = std::move(write);
@@ -37,10 +50,6 @@ void RtlModel::wave_open(WriteWave write) {
         static_cast<RtlModel*>(self)->write_({text, size});
       },
       this);
-}
-
-void RtlModel::write_coverage(const std::filesystem::path& file) const {
-  if (table_->write_coverage != nullptr) table_->write_coverage(file.c_str());
 }
 
 }  // namespace cigsim

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A Verilated module in a shared library (rtl/common/interface.hpp), loaded while the program runs.
+// Two variables of the environment let every program that uses RTL measure it, or run another one:
+//   CIGSIM_RTL_COVERAGE  a folder: each process writes the coverage of all its models there
+//   CIGSIM_RTL_INSTEAD   a folder: its libraries are loaded instead of those of the same names
 #pragma once
 
 #include <cstdint>
@@ -41,9 +44,6 @@ class RtlModel {
   void wave_open(WriteWave write);
   void wave_dump(std::uint64_t time) { table_->wave_dump(model_, time); }
   void wave_close() { table_->wave_close(model_); }
-
-  /// Nothing when the library was built without coverage.
-  void write_coverage(const std::filesystem::path& file) const;
 
  private:
   const rtl::Interface* table_ = nullptr;

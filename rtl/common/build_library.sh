@@ -4,6 +4,7 @@
 #   build_library.sh SOURCES STAGE MODULE OUTPUT.so RUNTIME [coverage] [NAME=VALUE ...]
 # SOURCES: folder with rtl/. STAGE: folder of rtl/ in which MODULE.sv and MODULE.shim.cpp are.
 # RUNTIME: folder for Verilator's own code, compiled once. NAME=VALUE: parameters of the module.
+# CIGSIM_VERILATOR_OPTIONS in the environment: more options of Verilator.
 # Prints a line a step, "verilator", "compiler" and "link"; needs verilator and g++.
 set -eu
 sources=$(cd "$1" && pwd)
@@ -13,9 +14,9 @@ work=$output.work
 rm -rf "$work"
 mkdir -p "$work" "$runtime"
 
-options=
+options=${CIGSIM_VERILATOR_OPTIONS:-}
 if [ "${1:-}" = coverage ]; then
-  options="--coverage"
+  options="$options --coverage"
   shift
 fi
 for parameter in "$@"; do options="$options -G$parameter"; done

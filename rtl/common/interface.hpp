@@ -14,7 +14,7 @@
 
 namespace cigsim::rtl {
 
-inline constexpr std::uint32_t kInterfaceVersion = 1;
+inline constexpr std::uint32_t kInterfaceVersion = 2;
 
 /// Takes a piece of a wave file.
 using WriteWave = void (*)(void* context, const char* text, std::size_t size);
@@ -37,8 +37,8 @@ struct Interface {
   void (*wave_open)(void* model, WriteWave write, void* context);
   void (*wave_dump)(void* model, std::uint64_t time);
   void (*wave_close)(void* model);
-  /// Adds the coverage of this process to `file`; null in libraries built without coverage.
-  void (*write_coverage)(const char* file);
+  /// Writes the coverage of this model to `file`; null in libraries built without coverage.
+  void (*write_coverage)(void* model, const char* file);
 };
 
 }  // namespace cigsim::rtl

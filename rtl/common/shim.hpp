@@ -82,6 +82,9 @@ class Shim {
     wave_.reset();
     sink_.reset();
   }
+#if VM_COVERAGE
+  void write_coverage(const char* file) { context_.coveragep()->write(file); }
+#endif
 
   Pins pins{};
 
@@ -112,7 +115,7 @@ const Interface& interface() {
         [](void* model, std::uint64_t time) { of(model)->wave_dump(time); },
         [](void* model) { of(model)->wave_close(); },
 #if VM_COVERAGE
-        [](const char* file) { VerilatedCov::write(file); },
+        [](void* model, const char* file) { of(model)->write_coverage(file); },
 #else
         nullptr,
 #endif

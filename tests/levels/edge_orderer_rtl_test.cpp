@@ -5,6 +5,7 @@
 #include "models/edge_orderer/clocked.hpp"
 #include "models/edge_orderer/rtl.hpp"
 #include "tests/levels/orderer_case.hpp"
+#include "tests/support/cases.hpp"
 #include "tests/support/fresh_simulation.hpp"
 
 namespace cigsim::edge_orderer {
@@ -153,10 +154,10 @@ std::vector<std::unique_ptr<OrdererCase>> random_cases(const Size& size, unsigne
 }
 
 TEST(EdgeOrdererRtl, EveryPinAgreesWithClockedInEveryCycleOfASmallOne) {
-  lock_step(kSmall, random_cases(kSmall, 0, 800));
+  lock_step(kSmall, random_cases(kSmall, 0, test::cases(800)));
 }
 TEST(EdgeOrdererRtl, EveryPinAgreesWithClockedInEveryCycleOfTheShippedSize) {
-  lock_step(kShipped, random_cases(kShipped, 5000, 100));
+  lock_step(kShipped, random_cases(kShipped, 5000, test::cases(100)));
 }
 
 // Lines of `capacity` crossings and more, whose elements come from all sides, in faces of a few

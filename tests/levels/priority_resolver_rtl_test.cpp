@@ -6,6 +6,7 @@
 #include "models/priority_resolver/rtl.hpp"
 #include "rtl/priority_resolver/priority_resolver.pins.hpp"
 #include "tests/levels/resolver_case.hpp"
+#include "tests/support/cases.hpp"
 #include "tests/support/fresh_simulation.hpp"
 
 namespace cigsim::priority_resolver {
@@ -133,12 +134,14 @@ void lock_step(int faces, unsigned first_seed, unsigned cases) {
   }
 }
 
-TEST(PriorityResolverRtl, EveryPinAgreesWithClockedInEveryCycleOf64Faces) { lock_step(64, 0, 600); }
+TEST(PriorityResolverRtl, EveryPinAgreesWithClockedInEveryCycleOf64Faces) {
+  lock_step(64, 0, test::cases(600));
+}
 TEST(PriorityResolverRtl, EveryPinAgreesWithClockedInEveryCycleOf1024Faces) {
-  lock_step(1024, 1000, 300);
+  lock_step(1024, 1000, test::cases(300));
 }
 TEST(PriorityResolverRtl, EveryPinAgreesWithClockedInEveryCycleOf4096Faces) {
-  lock_step(4096, 2000, 150);
+  lock_step(4096, 2000, test::cases(150));
 }
 
 /// What ends a simulation of these words.
