@@ -154,7 +154,7 @@ std::vector<std::unique_ptr<OrdererCase>> random_cases(const Size& size, unsigne
 }
 
 TEST(EdgeOrdererRtl, EveryPinAgreesWithClockedInEveryCycleOfASmallOne) {
-  lock_step(kSmall, random_cases(kSmall, 0, test::cases(800)));
+  lock_step(kSmall, random_cases(kSmall, 0, test::cases(500)));
 }
 TEST(EdgeOrdererRtl, EveryPinAgreesWithClockedInEveryCycleOfTheShippedSize) {
   lock_step(kShipped, random_cases(kShipped, 5000, test::cases(100)));
