@@ -34,7 +34,7 @@ using namespace cosim;
 constexpr std::uint64_t kMostVectors = 1'000'000'000'000;
 constexpr std::uint64_t kVectorsAFrame = 3000;  // about the words of a random frame, thrice
 constexpr std::uint64_t kMostRandomFrames = 100'000;
-constexpr std::uint32_t kEngineSize = 64;
+constexpr std::uint32_t kMostEngine = 256;  // objects, and planes
 constexpr const char* kDefaultMachine = "asupt1975";
 
 struct Options {
@@ -44,6 +44,7 @@ struct Options {
   PreparationChoices preparation;
   std::vector<Stage> stages;
   std::uint64_t vectors = 100'000;
+  std::optional<RtlVariant> engine;  // none: as the scene needs it
   std::uint32_t seed = 1;
   std::optional<StuckChoice> stuck;
   std::optional<std::string> wave;
@@ -56,6 +57,7 @@ struct Outcome {
   std::string scene;
   std::vector<Stage> stages;
   std::vector<RtlVariant> variants;
+  RtlVariant engine;
   std::size_t scene_frames = 0, random_frames = 0;
   FramesResult frames;
   std::optional<SoVectorResult> vectors;
@@ -126,10 +128,11 @@ std::vector<ComparePlan> plans_of(const Options& options) {
   return plans;
 }
 
-SoVectorOptions engine_options(const Options& options) {
+SoVectorOptions engine_options(const Options& options, const RtlVariant& variant) {
   SoVectorOptions engine;
-  engine.objects = engine.planes = kEngineSize;
-  engine.library = rtl_library(so_engine_variant(kEngineSize, kEngineSize), say_on_stderr);
+  engine.library = rtl_library(variant, say_on_stderr);
+  engine.objects = variant.parameters[0].value;
+  engine.planes = variant.parameters[1].value;
   engine.vectors = options.vectors;
   engine.seed = options.seed;
   if (options.stuck)
@@ -185,8 +188,8 @@ void print_outcome(const Outcome& o, const Options& options) {
   std::uint64_t cycles = static_cast<std::uint64_t>(o.frames.cycles);
   double seconds = o.frames.seconds;
   if (o.vectors) {
-    fmt::print("Vectors   {} of the SO matrix, {} pairs at {} x {}, seed {}\n", o.vectors->vectors,
-               o.vectors->pairs, kEngineSize, kEngineSize, options.seed);
+    fmt::print("Vectors   {} of {}, {} pairs, seed {}\n", o.vectors->vectors, o.engine.name(),
+               o.vectors->pairs, options.seed);
     cycles += o.vectors->cycles;
     seconds += o.vectors->seconds;
   }
@@ -244,6 +247,8 @@ int compare_command(const Options& options) {
   outcome.scene = plans.front().name;
   outcome.stages = options.stages;
   outcome.variants = plans.front().variants;
+  outcome.engine =
+      options.engine.value_or(so_engine_variant(RtlNeeds::of(*plans.front().databases.front())));
   outcome.scene_frames = plans.front().frames.size();
   for (std::size_t p = 1; p < plans.size(); ++p) outcome.random_frames += plans[p].frames.size();
   {
@@ -256,7 +261,7 @@ int compare_command(const Options& options) {
   const bool engine = std::find(options.stages.begin(), options.stages.end(),
                                 Stage::kPriorityProcessor) != options.stages.end();
   if (engine && options.vectors > 0 && !outcome.frames.mismatch)
-    outcome.vectors = run_so_vectors(engine_options(options));
+    outcome.vectors = run_so_vectors(engine_options(options, outcome.engine));
   const bool equal = !outcome.frames.mismatch && !(outcome.vectors && outcome.vectors->mismatch);
   if (!equal) reproduce(plans, options, outcome);
   if (options.wave && equal)
@@ -286,6 +291,18 @@ void add_compare_options(CLI::App& command, Options& o) {
       [&o](const Text& t) { o.vectors = parse_whole("--vectors", t, 0, kMostVectors); },
       "Random vectors after the scene's frames: rows of the SO matrix, and about as many words "
       "through the stages. Default: 100000");
+  add(
+      "--so-size", "OBJECTSxPLANES",
+      [&o](const Text& t) {
+        const std::size_t by = std::min(t.find('x'), t.size());
+        const auto size = [&](const Text& part) {
+          return static_cast<std::uint32_t>(parse_whole("--so-size", part, 2, kMostEngine));
+        };
+        o.engine =
+            so_engine_variant(size(t.substr(0, by)), size(t.substr(std::min(by + 1, t.size()))));
+      },
+      "Size of the SO matrix for the vectors, at most 256x256. Default: as the scene's groups "
+      "need");
   add(
       "--seed", "S",
       [&o](const Text& t) {

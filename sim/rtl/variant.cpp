@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::uint64_t kMovingAllowance = 4;  // times the faces of a moving model
 constexpr std::uint64_t kClippedCorners = 5;   // four sides of the picture and the hither plane
+// Comparing cells of a machine without a capacity; a line with more ends the run with a message.
+constexpr std::uint64_t kMostCells = 512;
 
 std::uint32_t depth(const PriorityHierarchy& hierarchy) {
   if (hierarchy.groups.empty()) return 0;
@@ -64,8 +66,10 @@ RtlNeeds RtlNeeds::of(const Database& database) {
   };
   for (const PreparedSystem& system : database.systems) {
     add(system.set, &system == &database.systems.front() ? 1 : kMovingAllowance);
-    for (const Group& group : system.hierarchy.groups)
+    for (const Group& group : system.hierarchy.groups) {
       needs.members = std::max(needs.members, group.member_count);
+      needs.planes = std::max(needs.planes, group.node_count);
+    }
     needs.levels = std::max(needs.levels, depth(system.hierarchy));
   }
   add(database.ground, 1);
@@ -73,8 +77,9 @@ RtlNeeds RtlNeeds::of(const Database& database) {
 }
 
 RtlNeeds RtlNeeds::with(const RtlNeeds& other) const {
-  return {std::max(members, other.members), std::max(levels, other.levels),
-          std::max(faces, other.faces), std::max(edges, other.edges)};
+  return {std::max(members, other.members), std::max(planes, other.planes),
+          std::max(levels, other.levels), std::max(faces, other.faces),
+          std::max(edges, other.edges)};
 }
 
 RtlVariant rtl_variant(Stage stage, const RtlNeeds& needs, const MachineDescription& machine) {
@@ -91,7 +96,9 @@ RtlVariant rtl_variant(Stage stage, const RtlNeeds& needs, const MachineDescript
               name,
               {{"Edges", power(64, edges)},
                {"Lines", power(64, static_cast<std::uint64_t>(machine.raster.height))},
-               {"Crossings", power(16, capped(edges, machine.crossing_capacity))}}};
+               {"Crossings",
+                power(16, machine.crossing_capacity > 0 ? capped(edges, machine.crossing_capacity)
+                                                        : std::min(edges, kMostCells))}}};
     case Stage::kPriorityResolver:
       return {name, name, {{"Faces", power(64, faces)}}};
     default:
@@ -101,6 +108,10 @@ RtlVariant rtl_variant(Stage stage, const RtlNeeds& needs, const MachineDescript
 
 RtlVariant so_engine_variant(std::uint32_t objects, std::uint32_t planes) {
   return {"priority_processor", "so_engine", {{"Objects", objects}, {"Planes", planes}}};
+}
+
+RtlVariant so_engine_variant(const RtlNeeds& needs) {
+  return so_engine_variant(power(4, needs.members), power(4, needs.planes));
 }
 
 }  // namespace cigsim

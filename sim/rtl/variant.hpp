@@ -33,6 +33,7 @@ struct RtlVariant {
 /// What scenes ask of the RTL at most.
 struct RtlNeeds {
   std::uint32_t members = 2;  ///< of a group
+  std::uint32_t planes = 1;   ///< of a group
   std::uint32_t levels = 1;   ///< of groups
   std::uint64_t faces = 1, edges = 2;
 
@@ -48,5 +49,7 @@ RtlVariant rtl_variant(Stage stage, const RtlNeeds& needs, const MachineDescript
 
 /// The SO engine for groups of `objects` and `planes` (1 to 256 each).
 RtlVariant so_engine_variant(std::uint32_t objects, std::uint32_t planes);
+/// The SO engine for the groups of a scene; a power of two each.
+RtlVariant so_engine_variant(const RtlNeeds& needs);
 
 }  // namespace cigsim

@@ -60,6 +60,20 @@ TEST_F(CompareTest, TheSummaryEndsWithTheResultAndACommandForWaves) {
   EXPECT_NE(outcome.out.find("--wave rtl.vcd"), std::string::npos);
 }
 
+// Whole flights, and 204 random scenes with waits on every link, under all overload policies.
+TEST_F(CompareTest, TheApproachAndRandomScenesAreTheSameAtEveryLevel) {
+  setenv("PATH", path_.c_str(), 1);
+  const Outcome outcome =
+      cigsim({"compare", "--stage", "priority_processor,edge_orderer,priority_resolver", "--raster",
+              "160x120", "--path", "builtin", "--frames", "12", "--vectors", "204000", "--seed",
+              "7", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["mismatches"], 0);
+  EXPECT_EQ(json["frames"], 12 + 204);
+  EXPECT_EQ(json["pictures"], 12 + 204);
+}
+
 struct Fault {
   const char *stuck, *stage, *field;
 };
@@ -135,10 +149,11 @@ TEST_F(CompareTest, AMendedFaultIsNoMismatchAnyMore) {
 }
 
 TEST_F(CompareTest, ASizeThatDoesNotShipIsBuiltOnceAndElseTheNextLargerStandsIn) {
-  const std::vector<std::string> words{"compare",   CIGSIM_SOURCE_DIR "/scenes/levine-cubes-24.json",
-                                       "--stage",   "priority_resolver",
-                                       "--raster",  "32x24",
-                                       "--vectors", "0"};
+  const std::vector<std::string> words{
+      "compare",   CIGSIM_SOURCE_DIR "/scenes/levine-cubes-24.json",
+      "--stage",   "priority_resolver",
+      "--raster",  "32x24",
+      "--vectors", "0"};
   const Outcome without = cigsim(words);
   EXPECT_EQ(without.exit_code, 0) << without.err;
   EXPECT_NE(without.err.find("verilator is not installed"), std::string::npos) << without.err;
@@ -169,6 +184,8 @@ TEST_F(CompareTest, WhatCannotBeComparedIsRefused) {
       {"compare", "--stage", "priority_resolver", "--stuck", "edge_orderer.crossings.face:1=1"},
       "add it to --stage");
   expect_unusable({"compare", "--stage", "priority_resolver", "--seed", "0"}, "--seed");
+  for (const char* size : {"64", "x", "64x", "1x64", "64x257", "64x64x64"})
+    expect_unusable({"compare", "--stage", "priority_processor", "--so-size", size}, "--so-size");
   expect_unusable({"replay", "nowhere.json"}, "nowhere.json: cannot be read");
   put("scene.json", R"({"cigsim": 1})");
   expect_unusable({"replay", "scene.json"}, "is no replay file");
