@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::uint64_t kMovingAllowance = 4;  // times the faces of a moving model
 constexpr std::uint64_t kClippedCorners = 5;   // four sides of the picture and the hither plane
+// Memories cost a simulation nothing, so that their sizes are coarse, and few are built.
+constexpr std::uint64_t kLeastEdges = 4096, kLeastLines = 1024;
 // Comparing cells of a machine without a capacity; a line with more ends the run with a message.
 constexpr std::uint64_t kMostCells = 512;
 
@@ -94,8 +96,8 @@ RtlVariant rtl_variant(Stage stage, const RtlNeeds& needs, const MachineDescript
     case Stage::kEdgeOrderer:
       return {name,
               name,
-              {{"Edges", power(64, edges)},
-               {"Lines", power(64, static_cast<std::uint64_t>(machine.raster.height))},
+              {{"Edges", power(kLeastEdges, edges)},
+               {"Lines", power(kLeastLines, static_cast<std::uint64_t>(machine.raster.height))},
                {"Crossings",
                 power(16, machine.crossing_capacity > 0 ? capped(edges, machine.crossing_capacity)
                                                         : std::min(edges, kMostCells))}}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The saved views of waves/ for a wave file: those of the RTL where the file has RTL signals, with
-// the ranges that signals have in the file, as GTKWave wants them.
+// the ranges that signals have in the file, as GTKWave wants them; below it that of a clocked twin,
+// where the wave is of a comparison.
 #pragma once
 
 #include <set>

@@ -105,6 +105,7 @@ TEST_P(PlantedFault, IsFoundReportedAndReplayed) {
   const std::string wave = contents("again.vcd");
   EXPECT_NE(wave.find(std::string(" ") + fault.stage + "_twin "), std::string::npos);
   const std::string view = contents("again.gtkw");
+  EXPECT_NE(view.find(std::string("cigsim.") + fault.stage + "_twin."), std::string::npos);
   const long cycle = seen["cycle"].get<long>(), unit_in_cycle = 1250;
   EXPECT_NE(view.find(" " + std::to_string(cycle * unit_in_cycle) + " -1 "), std::string::npos)
       << view.substr(0, 300);
