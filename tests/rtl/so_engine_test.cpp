@@ -138,6 +138,39 @@ TEST(SoEngine, EveryStateOfThreeObjectsAndThreePlanes) {
   }
 }
 
+// Objects in a row, parted by planes between neighbours: their counts are an order. Without one of
+// the planes two of them share a count, whatever came between the two.
+TEST(SoEngine, OneCountThatCameTwiceIsFoundAnywhere) {
+  constexpr unsigned kObjects = 16;
+  const std::uint32_t seed = 41, all = (1u << kObjects) - 1;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  Random random(seed);
+  Engine engine(16, 16);
+  for (unsigned n = 0; n < 3000; ++n) {
+    std::vector<unsigned> place(kObjects);
+    for (unsigned o = 0; o < kObjects; ++o) {
+      place[o] = o;
+      std::swap(place[o], place[random.below(o + 1)]);
+    }
+    const unsigned missing = random.below(kObjects);  // the last plane parts nobody
+    SignRows sepl(kObjects, std::string(kObjects, '0'));
+    for (unsigned o = 0; o < kObjects; ++o)
+      for (unsigned plane = 0; plane + 1 < kObjects; ++plane)
+        if (plane != missing) sepl[o][plane] = place[o] <= plane ? '-' : '+';
+    if (engine.pins.answer_valid_o) engine.edge();
+    engine.write(sepl);
+    engine.start(std::string(kObjects, '+'), all);
+    for (unsigned l = 0; l < kObjects; ++l) {
+      if (l > 0) engine.edge();
+      const unsigned nearer = kObjects - 1 - place[l];
+      ASSERT_EQ(engine.pins.answer_count_o, nearer - (place[l] == missing && nearer > 0));
+    }
+    ASSERT_TRUE(engine.pins.answer_last_o);
+    ASSERT_EQ(engine.pins.answer_unique_o, missing == kObjects - 1) << "case " << n;
+    ASSERT_EQ(engine.pins.answer_resolved_o, missing == kObjects - 1) << "case " << n;
+  }
+}
+
 TEST(SoEngine, RowsAreNotWrittenWhileOthersAreAnswered) {
   Engine engine(3, 3);
   engine.write({"+00", "-00", "000"});
