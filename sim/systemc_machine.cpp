@@ -26,6 +26,7 @@
 #include "models/video_processor/timed.hpp"
 #include "sim/connection.hpp"
 #include "sim/cosim/twin.hpp"
+#include "sim/frame_figures.hpp"
 #include "sim/host_time.hpp"
 #include "sim/sequencer.hpp"
 
@@ -264,10 +265,7 @@ class SystemcMachine::Impl : public sc_core::sc_module {
   void make_priority() {
     const auto report = [this](const priority_processor::Figures& f) {
       note(Stage::kPriorityProcessor, f, [this, &f](FrameStats& stats) {
-        stats.faults = static_cast<std::uint32_t>(f.faults.size());
-        stats.listability = loader_.named_faults(f.frame, f.faults);
-        stats.active_items = f.items;
-        stats.overload->dropped_items = f.dropped;
+        add_figures(stats, f, loader_.named_faults(f.frame, f.faults));
       });
     };
     constexpr Stage kStage = Stage::kPriorityProcessor;
@@ -308,11 +306,7 @@ class SystemcMachine::Impl : public sc_core::sc_module {
 
   void make_geometry() {
     const auto report = [this](const geometry_processor::Figures& f) {
-      note(Stage::kGeometryProcessor, f, [&f](FrameStats& stats) {
-        stats.faces = f.front_faces;
-        stats.edges = f.edges;
-        stats.overload->dropped_faces = f.dropped;
-      });
+      note(Stage::kGeometryProcessor, f, [&f](FrameStats& stats) { add_figures(stats, f); });
     };
     if (!pins(Stage::kGeometryProcessor)) {
       geometry_.timed = std::make_unique<geometry_processor::Timed>(
@@ -334,13 +328,7 @@ class SystemcMachine::Impl : public sc_core::sc_module {
 
   void make_orderer() {
     const auto report = [this](const edge_orderer::Figures& f) {
-      note(Stage::kEdgeOrderer, f, [&f](FrameStats& stats) {
-        stats.crossings = f.crossings;
-        stats.worst_line = f.worst_line;
-        stats.worst_line_crossings = f.worst_line_crossings;
-        stats.overload->overfull_lines = f.overfull_lines;
-        stats.overload->dropped_crossings = f.dropped;
-      });
+      note(Stage::kEdgeOrderer, f, [&f](FrameStats& stats) { add_figures(stats, f); });
     };
     constexpr Stage kStage = Stage::kEdgeOrderer;
     if (!pins(kStage)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/word_stages.hpp"
 
+#include "sim/frame_figures.hpp"
 #include "sim/host_time.hpp"
 
 namespace cigsim {
@@ -26,26 +27,16 @@ void WordStages::compute(const Database& database, const Viewpoint& viewpoint, d
   priority_processor::Figures priority;
   priority_.compute(loader_.priority_banks()[0], items_, priority);
   note(Stage::kPriorityProcessor, priority);
-  stats.active_items = priority.items;
-  stats.faults = static_cast<std::uint32_t>(priority.faults.size());
-  stats.listability = loader_.named_faults(0, priority.faults);
-  overload.dropped_items = priority.dropped;
+  add_figures(stats, priority, loader_.named_faults(0, priority.faults));
   stats.stages.priority_processor = time.lap();
 
   geometry_processor::Figures geometry;
   geometry_.compute(loader_.geometry_banks()[0], items_, edges_, geometry);
   note(Stage::kGeometryProcessor, geometry);
-  stats.faces = edges_.faces.size();
-  stats.edges = edges_.edges.size();
-  overload.dropped_faces = geometry.dropped;
+  add_figures(stats, geometry);
   stats.stages.geometry_processor = time.lap();
 
-  const edge_orderer::Figures ordered = orderer_.compute(edges_, machine_.raster, crossings_);
-  stats.crossings = ordered.crossings;
-  stats.worst_line = ordered.worst_line;
-  stats.worst_line_crossings = ordered.worst_line_crossings;
-  overload.overfull_lines = ordered.overfull_lines;
-  overload.dropped_crossings = ordered.dropped;
+  add_figures(stats, orderer_.compute(edges_, machine_.raster, crossings_));
   stats.stages.edge_orderer = time.lap();
 
   stats.spans = resolver_.compute(crossings_, edges_.faces.size(), machine_.raster, spans_);
