@@ -138,6 +138,22 @@ TEST(SoEngine, EveryStateOfThreeObjectsAndThreePlanes) {
   }
 }
 
+TEST(SoEngine, ResetEndsWhatIsAnswered) {
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    Engine engine(16, 16, seed);
+    EXPECT_FALSE(engine.pins.answer_valid_o);
+    engine.write(SignRows(16, std::string(16, '+')));
+    engine.start(std::string(16, '-'), 65535);
+    for (std::uint32_t row = 1; row < seed; ++row) engine.edge();
+    EXPECT_TRUE(engine.pins.answer_valid_o);
+    engine.pins.rst_i = true;
+    engine.edge();
+    engine.pins.rst_i = false;
+    EXPECT_FALSE(engine.pins.answer_valid_o);
+    EXPECT_TRUE(engine.pins.start_ready_o);
+  }
+}
+
 // Objects in a row, parted by planes between neighbours: their counts are an order. Without one of
 // the planes two of them share a count, whatever came between the two.
 TEST(SoEngine, OneCountThatCameTwiceIsFoundAnywhere) {

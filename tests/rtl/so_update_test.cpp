@@ -119,6 +119,40 @@ TEST(SoUpdate, StaysEqualToTheMatrixWorkedOutAnew) {
   }
 }
 
+// The counts of planes at their ends: two halves of the objects that all planes part alike.
+TEST(SoUpdate, AllPlanesMayTellTheSameOfTwo) {
+  const std::uint32_t seed = 32;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  Random random(seed);
+  Update update(seed);
+  SoGolden golden(kObjects, kPlanes);
+  const std::uint64_t all_planes = (1u << kPlanes) - 1;
+  for (unsigned matrix = 0; matrix < 8; ++matrix) {
+    std::vector<SoRow> rows(kObjects), told(kObjects);
+    for (SoRow& row : rows) {
+      row.tells[0] = all_planes;
+      if (random.below(2) == 1) row.plus[0] = all_planes;
+    }
+    update.load(rows);
+    SoBits eye{};
+    // To one side of all, to the other of all, and back.
+    for (const bool plus : {matrix % 2 == 0, matrix % 2 == 1, matrix % 2 == 0}) {
+      for (unsigned plane = 0; plane < kPlanes; ++plane) {
+        const std::uint64_t bit = std::uint64_t{1} << plane;
+        eye[0] = plus ? eye[0] | bit : eye[0] & ~bit;
+        for (unsigned o = 0; o < kObjects; ++o) {
+          told[o].tells[0] |= bit;
+          told[o].plus[0] = rows[o].plus[0];
+          golden.set_row(o, told[o]);
+        }
+        golden.mark(eye, SoBits{(1u << kObjects) - 1});
+        update.side(plane, plus);
+        ASSERT_EQ(update.differing(golden), 0u) << "matrix " << matrix << ", plane " << plane;
+      }
+    }
+  }
+}
+
 TEST(SoUpdate, SeplDoesNotChangeWithinACrossing) {
   Update update(5);
   std::vector<SoRow> rows(kObjects);
