@@ -92,10 +92,15 @@ std::unique_ptr<ResolverCase> make_case(unsigned seed, int faces) {
   if (seed % 2 == 0) return made;
   std::mt19937 random(seed);
   const auto below = [&](std::size_t n) { return static_cast<std::uint32_t>(random() % n); };
-  const std::uint32_t few[] = {below(faces), below(faces), below(faces)};
+  // 3 of all faces, or 16 of a word of the active set, so that many of its bits are set.
+  std::uint32_t few[16];
+  const std::size_t count = seed % 4 == 1 ? 3 : 16;
+  const std::uint32_t group = 32 * below(static_cast<std::size_t>(faces) / 32);
+  for (std::uint32_t i = 0; i < 16; ++i)
+    few[i] = count == 3 ? below(faces) : group + 2 * i + below(2);
   for (CrossingWord& word : made->words) {
     if (word.end) continue;
-    word.face = few[below(std::size(few))];
+    word.face = few[below(count)];
     word.left = below(2) == 0;
   }
   return made;
