@@ -112,19 +112,35 @@ ComparePlan random_frames(const Options& options, OverloadPolicy policy) {
   return plan;
 }
 
+bool compares(const Options& options, Stage stage) {
+  return std::find(options.stages.begin(), options.stages.end(), stage) != options.stages.end();
+}
+bool compares_engine(const Options& options) {
+  return compares(options, Stage::kPriorityProcessor) && options.vectors > 0;
+}
+
+// A fault where nothing is compared would not be found.
+void check_stuck_is_compared(const Options& options) {
+  if (!options.stuck) return;
+  if (const auto* pins = std::get_if<std::pair<Stage, StuckBit>>(&*options.stuck)) {
+    if (!compares(options, pins->first))
+      throw UsageError(
+          fmt::format("--stuck: {} is not compared; add it to --stage", name_of(pins->first)));
+  } else if (!compares_engine(options)) {
+    throw UsageError(
+        "--stuck: so_engine is not compared; add priority_processor to --stage, and --vectors "
+        "above 0");
+  }
+}
+
 std::vector<ComparePlan> plans_of(const Options& options) {
   std::vector<ComparePlan> plans{scene_plan(options)};
   if (options.vectors > 0)
     for (const auto policy : {OverloadPolicy::kDrop, OverloadPolicy::kCut, OverloadPolicy::kExtend})
       plans.push_back(random_frames(options, policy));
   if (options.stuck)
-    if (const auto* pins = std::get_if<std::pair<Stage, StuckBit>>(&*options.stuck)) {
-      if (std::find(options.stages.begin(), options.stages.end(), pins->first) ==
-          options.stages.end())
-        throw UsageError(
-            fmt::format("--stuck: {} is not compared; add it to --stage", name_of(pins->first)));
+    if (const auto* pins = std::get_if<std::pair<Stage, StuckBit>>(&*options.stuck))
       for (ComparePlan& plan : plans) plan.stuck = *pins;
-    }
   return plans;
 }
 
@@ -155,22 +171,37 @@ void show_mismatch(const std::filesystem::path& replay, const Mismatch& mismatch
     outcome.wave_command = view_command({wave.string(), window_around(mismatch.cycle), {}, {}});
 }
 
-void reproduce(const std::vector<ComparePlan>& plans, const Options& options, Outcome& outcome) {
-  std::filesystem::create_directories(options.out);
-  const std::filesystem::path file = std::filesystem::path(options.out) / "mismatch.json";
-  outcome.replay = file.string();
-  if (outcome.frames.mismatch) {
-    FrameReplay replay{plans[outcome.frames.plan], *outcome.frames.mismatch};
-    outcome.reproduced = write_shortest_replay(replay, file);
-    if (outcome.reproduced)
-      show_mismatch(file, std::get<FrameReplay>(read_replay(file)).mismatch, outcome);
-    return;
-  }
+bool reproduce_frames(const std::vector<ComparePlan>& plans, const std::filesystem::path& file,
+                      Outcome& outcome) {
+  const Mismatch& mismatch = *outcome.frames.mismatch;
+  // Of a broken contract the plan is not known: the first one that shows it again.
+  const bool any = mismatch.stage == kAnyStage;
+  bool seen = write_shortest_replay({plans[outcome.frames.plan], mismatch}, file);
+  for (std::size_t p = 1; any && !seen && p < plans.size(); ++p)
+    seen = write_shortest_replay({plans[p], mismatch}, file);
+  if (seen) show_mismatch(file, std::get<FrameReplay>(read_replay(file)).mismatch, outcome);
+  return seen;
+}
+
+bool reproduce_vector(const Options& options, const std::filesystem::path& file,
+                      const Outcome& outcome) {
   const SoMismatch& mismatch = *outcome.vectors->mismatch;
-  SoReplay replay{mismatch.inputs, options.seed, {}, summary(mismatch)};
-  if (options.stuck) replay.stuck = std::get<SoStuckBit>(*options.stuck);
-  write_replay(replay, file);
-  outcome.reproduced = true;
+  const SoVectorOptions engine = engine_options(options, outcome.engine);
+  write_replay(SoReplay{mismatch.inputs, options.seed, engine.stuck, summary(mismatch)}, file);
+  return replay_so_case(engine, mismatch.inputs).mismatch.has_value();
+}
+
+// Where the folder cannot be written, the mismatch is told nevertheless.
+void reproduce(const std::vector<ComparePlan>& plans, const Options& options, Outcome& outcome) {
+  const std::filesystem::path file = std::filesystem::path(options.out) / "mismatch.json";
+  try {
+    std::filesystem::create_directories(options.out);
+    outcome.reproduced = outcome.frames.mismatch ? reproduce_frames(plans, file, outcome)
+                                                 : reproduce_vector(options, file, outcome);
+    outcome.replay = file.string();
+  } catch (const std::exception& error) {
+    say_on_stderr(fmt::format("cigsim: no replay file: {}", error.what()));
+  }
 }
 
 void print_outcome(const Outcome& o, const Options& options) {
@@ -242,6 +273,7 @@ Json json_of(const Outcome& o) {
 }
 
 int compare_command(const Options& options) {
+  check_stuck_is_compared(options);
   const std::vector<ComparePlan> plans = plans_of(options);
   Outcome outcome;
   outcome.scene = plans.front().name;
@@ -249,6 +281,9 @@ int compare_command(const Options& options) {
   outcome.variants = plans.front().variants;
   outcome.engine =
       options.engine.value_or(so_engine_variant(RtlNeeds::of(*plans.front().databases.front())));
+  if (options.stuck)
+    if (const auto* bit = std::get_if<SoStuckBit>(&*options.stuck))
+      check_stuck(*bit, outcome.engine.parameters[0].value);
   outcome.scene_frames = plans.front().frames.size();
   for (std::size_t p = 1; p < plans.size(); ++p) outcome.random_frames += plans[p].frames.size();
   {
@@ -258,9 +293,7 @@ int compare_command(const Options& options) {
     if (options.wave) run.wave = WaveRequest{*options.wave, {}, options.stages, {}};
     outcome.frames = compare_frames(plans, run);
   }
-  const bool engine = std::find(options.stages.begin(), options.stages.end(),
-                                Stage::kPriorityProcessor) != options.stages.end();
-  if (engine && options.vectors > 0 && !outcome.frames.mismatch)
+  if (compares_engine(options) && !outcome.frames.mismatch)
     outcome.vectors = run_so_vectors(engine_options(options, outcome.engine));
   const bool equal = !outcome.frames.mismatch && !(outcome.vectors && outcome.vectors->mismatch);
   if (!equal) reproduce(plans, options, outcome);

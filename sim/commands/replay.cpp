@@ -53,14 +53,14 @@ int replay_frames(const FrameReplay& replay, const Options& options) {
 }
 
 int replay_so(const SoReplay& replay, const Options& options) {
+  if (options.wave)
+    throw UsageError("--wave: is for replays of frames; this one is of a row of the SO matrix");
   SoVectorOptions run;
   run.objects = replay.inputs.objects;
   run.planes = replay.inputs.planes;
   run.library = rtl_library(so_engine_variant(run.objects, run.planes), say_on_stderr);
   run.seed = replay.seed;
   run.stuck = replay.stuck;
-  if (options.wave)
-    throw UsageError("--wave: is for replays of frames; this one is of a row of the SO matrix");
   const SoVectorResult result = replay_so_case(run, replay.inputs);
   if (options.json) {
     Json mismatch;

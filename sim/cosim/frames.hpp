@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "models/boundary/mismatch.hpp"
 #include "sim/cosim/plan.hpp"
@@ -15,6 +16,11 @@
 #include "sim/wave/wave_options.hpp"
 
 namespace cigsim::cosim {
+
+/// Stage of a mismatch that is a broken contract within the RTL. Neither plan nor frame are known.
+inline constexpr std::string_view kAnyStage = "rtl";
+/// How the message of a broken contract ends (rtl/common/shim.hpp).
+inline constexpr std::string_view kBrokenContract = "a contract of the RTL is broken";
 
 struct FramesResult {
   std::uint64_t frames = 0;    ///< pictures that left the machine
@@ -37,7 +43,7 @@ struct FramesOptions {
 
 /// Runs the plans side by side. One simulation a process. A frame of which time decided what is in
 /// it (faces dropped at the deadline of frame 2) is not compared with the functional level, which
-/// knows no time.
+/// knows no time. Throws std::runtime_error when the RTL is too small for a frame.
 FramesResult compare_frames(std::span<const ComparePlan> plans, const FramesOptions& options);
 
 }  // namespace cigsim::cosim

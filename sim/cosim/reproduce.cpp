@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "sim/cosim/frames.hpp"
 #include "sim/wave/programs.hpp"
 
 namespace cigsim::cosim {
@@ -52,7 +53,9 @@ CycleWindow window_around(Cycle cycle) {
 
 bool write_shortest_replay(FrameReplay replay, const std::filesystem::path& file) {
   const ComparePlan plan = replay.plan;
-  const std::size_t last = std::min<std::size_t>(replay.mismatch.frame, plan.frames.size() - 1);
+  const std::size_t all = plan.frames.size() - 1;
+  const std::size_t last =
+      replay.mismatch.stage == kAnyStage ? all : std::min<std::size_t>(replay.mismatch.frame, all);
   std::set<std::size_t, std::greater<>> firsts{last, last - std::min<std::size_t>(last, 2), 0};
   const Mismatch seen = replay.mismatch;
   for (const std::size_t first : firsts) {

@@ -206,7 +206,18 @@ class LockStep {
   }
 
   bool step(const Expected& expected) {
-    model_.edge();
+    try {
+      model_.edge();
+    } catch (const std::runtime_error& error) {
+      result_.mismatch = SoMismatch{.vector = result_.vectors,
+                                    .cycle = result_.cycles,
+                                    .row = expected.row,
+                                    .field = "contract",
+                                    .expected = "kept",
+                                    .got = error.what(),
+                                    .inputs = inputs_};
+      return false;
+    }
     if (stuck_) stuck_->apply();
     const std::uint64_t cycle = result_.cycles++;
     if (options_.each_cycle) options_.each_cycle(model_, cycle);
@@ -294,6 +305,11 @@ void check(const SoVectorOptions& options) {
 }
 
 }  // namespace
+
+void check_stuck(const SoStuckBit& fault, unsigned objects) {
+  Pins pins{};
+  const Stuck stuck(pins, fault, objects);
+}
 
 SoVectorResult run_so_vectors(const SoVectorOptions& options) {
   check(options);

@@ -22,6 +22,9 @@ struct SoStuckBit {
   bool value = true;
 };
 
+/// Throws std::invalid_argument where an engine for `objects` has no such output, or not the bit.
+void check_stuck(const SoStuckBit& fault, unsigned objects);
+
 struct SoVectorOptions {
   std::filesystem::path library;       ///< of so_engine
   unsigned objects = 64, planes = 64;  ///< as the library was built; at most 256 each
@@ -41,7 +44,7 @@ struct SoMismatch {
   std::uint64_t vector = 0;   ///< from 0; where no row is due: of the next row
   std::uint64_t cycle = 0;    ///< from 0, the first one after reset
   unsigned row = 0;           ///< object of the row that is due
-  std::string field;          ///< pin of so_engine.pins.hpp
+  std::string field;          ///< pin of so_engine.pins.hpp, or "contract"
   std::string expected, got;  ///< bits as hexadecimal numbers, counts as decimal ones
   SoCase inputs;
 };
@@ -52,8 +55,9 @@ struct SoVectorResult {
   std::optional<SoMismatch> mismatch;  ///< the run ended there
 };
 
-/// Random vectors of all kinds (so_cases.hpp). Throws std::runtime_error when the library cannot be
-/// loaded or a contract of the RTL is broken, std::invalid_argument when an option cannot be.
+/// Random vectors of all kinds (so_cases.hpp). A broken contract of the RTL is a mismatch. Throws
+/// std::runtime_error when the library cannot be loaded, std::invalid_argument when an option
+/// cannot be.
 SoVectorResult run_so_vectors(const SoVectorOptions& options);
 
 /// A mismatch comes again at the same cycle with the same options. This is one case alone, its rows

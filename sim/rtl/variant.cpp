@@ -17,6 +17,8 @@ constexpr std::uint64_t kLeastEdges = 4096, kLeastLines = 1024;
 // Comparing cells of a machine without a capacity; a line with more ends the run with a message.
 constexpr std::uint64_t kMostCells = 512;
 
+constexpr std::uint32_t kMostEngine = 256;  // objects, and planes, of the SO engine
+
 std::uint32_t depth(const PriorityHierarchy& hierarchy) {
   if (hierarchy.groups.empty()) return 0;
   std::vector<std::uint32_t> level{0};
@@ -113,7 +115,8 @@ RtlVariant so_engine_variant(std::uint32_t objects, std::uint32_t planes) {
 }
 
 RtlVariant so_engine_variant(const RtlNeeds& needs) {
-  return so_engine_variant(power(4, needs.members), power(4, needs.planes));
+  return so_engine_variant(std::min(power(4, needs.members), kMostEngine),
+                           std::min(power(4, needs.planes), kMostEngine));
 }
 
 }  // namespace cigsim

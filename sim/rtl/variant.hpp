@@ -49,7 +49,7 @@ RtlVariant rtl_variant(Stage stage, const RtlNeeds& needs, const MachineDescript
 
 /// The SO engine for groups of `objects` and `planes` (1 to 256 each).
 RtlVariant so_engine_variant(std::uint32_t objects, std::uint32_t planes);
-/// The SO engine for the groups of a scene; a power of two each.
+/// The SO engine for the groups of a scene; a power of two each, at most 256.
 RtlVariant so_engine_variant(const RtlNeeds& needs);
 
 }  // namespace cigsim

@@ -149,6 +149,72 @@ TEST_F(CompareTest, AMendedFaultIsNoMismatchAnyMore) {
   EXPECT_NE(outcome.out.find("no mismatch any more"), std::string::npos) << outcome.out;
 }
 
+// A file that was edited must not pass because something else was run, or nothing.
+TEST_F(CompareTest, AReplayFileThatWasEditedIsRefused) {
+  using Json = nlohmann::json;
+  cigsim({"compare", "--stage", "priority_resolver", "--raster", "16x16", "--vectors", "0",
+          "--stuck", "priority_resolver.spans.valid=1"});
+  const Json whole = Json::parse(contents("out/mismatch.json"))["frames_of_machine"];
+  const auto refuse = [&](const char* place, const Json& value, const char* message) {
+    SCOPED_TRACE(place);
+    Json edited = whole;
+    edited[Json::json_pointer(place)] = value;
+    put("edited.json", Json{{"cigsim-replay", 1}, {"frames_of_machine", edited}}.dump());
+    expect_unusable({"replay", "edited.json"}, message);
+  };
+  refuse("/rtl", Json::array(), "stage");
+  refuse("/rtl/0/stage", "edge_orderer", "stage");
+  refuse("/rtl/0/stage", "video_processor", "stage");
+  refuse("/rtl/0/module", "../so_engine", "does not hold its frames");
+  refuse("/rtl/0/parameters/0/name", "Lines", "does not hold its frames");
+  refuse("/rtl/0/parameters/0/value", 64, "does not hold its frames");
+  refuse("/rtl/0/parameters/0/value", 1 << 30, "too large");
+  refuse("/rtl/0/parameters/0/value", -1, "value is -1");
+  refuse("/rtl/1", whole["rtl"][0], "twice");
+  refuse("/frames", Json::array(), "no frames");
+  refuse("/frames/0/database", 1, "a database that is not there");
+  refuse("/frames/0/fov", 180, "fov");
+  refuse("/eye_reach", -1, "eye_reach");
+  refuse("/seed", 0, "seed is 0");
+  refuse("/stuck/field", "colour", "not known");
+  refuse("/stuck/bit", 1, "has bits 0 to 0");
+  refuse("/mismatch/cycle", std::uint64_t{1} << 63, "cycle is");
+}
+
+TEST_F(CompareTest, AReplayFileOfTheSoMatrixThatWasEditedIsRefused) {
+  using Json = nlohmann::json;
+  cigsim({"compare", "--stage", "priority_processor", "--raster", "16x16", "--vectors", "100",
+          "--so-size", "16x16", "--stuck", "so_engine.start_ready_o=0"});
+  const Json whole = Json::parse(contents("out/mismatch.json"))["so_matrix"];
+  const auto refuse = [&](const char* place, const Json& value, const char* message) {
+    SCOPED_TRACE(place);
+    Json edited = whole;
+    edited[Json::json_pointer(place)] = value;
+    put("edited.json", Json{{"cigsim-replay", 1}, {"so_matrix", edited}}.dump());
+    expect_unusable({"replay", "edited.json"}, message);
+  };
+  refuse("/objects", 257, "objects is 257");
+  refuse("/objects", 15, "a row for each object");
+  refuse("/planes", 0, "planes is 0");
+  refuse("/eye", std::string(64, 'f'), "eye has more than 16 bits");
+  refuse("/rows/0/tells", "0", "64 hexadecimal digits");
+  refuse("/stuck/output", "answer_o", "no output named answer_o");
+  refuse("/stuck/bit", 1, "has bits 0 to 0");
+  put("whole.json", Json{{"cigsim-replay", 1}, {"so_matrix", whole}}.dump());
+  expect_unusable({"replay", "whole.json", "--wave", "w.vcd"}, "--wave: is for replays of frames");
+}
+
+TEST_F(CompareTest, AMismatchIsToldWhereNoReplayFileCanBeWritten) {
+  put("file", "");
+  const Outcome outcome =
+      cigsim({"compare", "--stage", "priority_resolver", "--raster", "16x16", "--vectors", "0",
+              "--stuck", "priority_resolver.spans.valid=1", "--out", "file"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("Mismatch  priority_resolver"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("Replay"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("cigsim: no replay file: "), std::string::npos) << outcome.err;
+}
+
 TEST_F(CompareTest, ASizeThatDoesNotShipIsBuiltOnceAndElseTheNextLargerStandsIn) {
   const std::vector<std::string> words{
       "compare",   CIGSIM_SOURCE_DIR "/scenes/levine-cubes-24.json",
@@ -185,6 +251,13 @@ TEST_F(CompareTest, WhatCannotBeComparedIsRefused) {
       {"compare", "--stage", "priority_resolver", "--stuck", "edge_orderer.crossings.face:1=1"},
       "add it to --stage");
   expect_unusable({"compare", "--stage", "priority_resolver", "--seed", "0"}, "--seed");
+  for (const char* vectors : {"0", "100"})
+    expect_unusable({"compare", "--stage", *vectors == '0' ? "priority_processor" : "edge_orderer",
+                     "--vectors", vectors, "--stuck", "so_engine.answer_hides_o:5=0"},
+                    "so_engine is not compared");
+  expect_unusable({"compare", "--stage", "priority_processor", "--so-size", "16x16", "--stuck",
+                   "so_engine.answer_hides_o:16=0"},
+                  "has bits 0 to 15");
   for (const char* size : {"64", "x", "64x", "1x64", "64x257", "64x64x64"})
     expect_unusable({"compare", "--stage", "priority_processor", "--so-size", size}, "--so-size");
   expect_unusable({"replay", "nowhere.json"}, "nowhere.json: cannot be read");
