@@ -153,6 +153,20 @@ TEST(SoUpdate, AllPlanesMayTellTheSameOfTwo) {
   }
 }
 
+TEST(SoUpdate, SidesToldWhileAllIsClearedAreNotTaken) {
+  Update update(6);
+  std::vector<SoRow> rows(kObjects), untold(kObjects);
+  for (unsigned o = 0; o < kObjects; ++o) rows[o] = {SoBits{1}, SoBits{o % 2}};
+  update.load(rows);
+  SoGolden golden(kObjects, kPlanes);
+  for (unsigned o = 0; o < kObjects; ++o) golden.set_row(o, untold[o]);
+  golden.mark(SoBits{1}, SoBits{(1u << kObjects) - 1});
+  update.pins.clear_i = true;
+  EXPECT_EQ(update.side(0, true), 1u);
+  update.pins.clear_i = false;
+  EXPECT_EQ(update.differing(golden), 0u);
+}
+
 TEST(SoUpdate, SeplDoesNotChangeWithinACrossing) {
   Update update(5);
   std::vector<SoRow> rows(kObjects);
