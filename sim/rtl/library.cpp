@@ -18,19 +18,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of the environment; nothing when it is not set, or empty.
+std::optional<fs::path> folder_of(const char* name) {
+  const char* folder = std::getenv(name);
+  if (folder == nullptr || *folder == '\0') return {};
+  return folder;
+}
+
+// Absolute, because the loader looks for a bare name elsewhere.
 fs::path cache_folder() {
-  if (const char* folder = std::getenv("CIGSIM_RTL_CACHE")) return folder;
-  if (const char* folder = std::getenv("XDG_CACHE_HOME")) return fs::path(folder) / "cigsim/rtl";
-  const char* home = std::getenv("HOME");
-  return fs::path(home != nullptr ? home : fs::temp_directory_path()) / ".cache/cigsim/rtl";
+  if (const auto folder = folder_of("CIGSIM_RTL_CACHE")) return fs::absolute(*folder);
+  if (const auto folder = folder_of("XDG_CACHE_HOME")) return fs::absolute(*folder) / "cigsim/rtl";
+  const auto home = folder_of("HOME");
+  return fs::absolute(home ? *home : fs::temp_directory_path()) / ".cache/cigsim/rtl";
 }
 
 // One process builds at a time; the others find what it built.
 class Lock {
  public:
-  explicit Lock(const fs::path& file) : file_(std::fopen(file.c_str(), "w")) {
+  explicit Lock(const fs::path& file) : file_(std::fopen(file.c_str(), "we")) {
     if (file_ != nullptr) ::flock(::fileno(file_), LOCK_EX);
   }
+  bool held() const { return file_ != nullptr; }
   ~Lock() {
     if (file_ != nullptr) std::fclose(file_);
   }
@@ -67,6 +76,18 @@ double size(const RtlVariant& variant) {
 
 fs::path shipped(const RtlVariant& variant) {
   return fs::path(CIGSIM_RTL_LIBRARIES) / (variant.name() + ".so");
+}
+
+// What builds left behind that were ended half way; to be called with the lock held.
+void remove_left_behind(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> old;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("sources-") || name.ends_with(".part") || name.ends_with(".part.work"))
+      old.push_back(entry.path());
+  }
+  for (const fs::path& path : old) fs::remove_all(path, error);
 }
 
 // The steps that the build's script tells.
@@ -143,8 +164,13 @@ fs::path rtl_library(const RtlVariant& variant, const Say& say) {
     if (fs::exists(library)) return library;
     say(fmt::format("RTL       building {} for this scene, once", variant.name()));
     const fs::path log = fmt::format("{}.log", library.string());
-    if (build(variant, library, log)) return library;
-    reason = fmt::format("its build failed, see {}", log.string());
+    try {
+      if (lock.held()) remove_left_behind(folder);
+      if (build(variant, library, log)) return library;
+      reason = fmt::format("its build failed, see {}", log.string());
+    } catch (const std::runtime_error& error) {
+      reason = fmt::format("it cannot be built: {}", error.what());
+    }
   }
   if (const auto larger = shipped_rtl(variant)) {
     say(fmt::format("RTL       {}: {}; {}, which ships, takes its place", variant.name(), reason,

@@ -236,6 +236,19 @@ TEST_F(CompareTest, ASizeThatDoesNotShipIsBuiltOnceAndElseTheNextLargerStandsIn)
   EXPECT_EQ(second.err, "");
 }
 
+TEST_F(CompareTest, WhereTheCacheCannotBeWrittenAShippedSizeTakesItsPlace) {
+  setenv("PATH", path_.c_str(), 1);
+  if (std::system("command -v verilator >/dev/null") != 0) GTEST_SKIP() << "no Verilator here";
+  // A folder that there is, and in which nothing can be made, for root neither.
+  setenv("CIGSIM_RTL_CACHE", "/proc/self", 1);
+  const Outcome outcome =
+      cigsim({"compare", CIGSIM_SOURCE_DIR "/scenes/levine-cubes-24.json", "--stage",
+              "priority_resolver", "--raster", "32x24", "--vectors", "0"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("cannot be built"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("takes its place"), std::string::npos) << outcome.err;
+}
+
 TEST_F(CompareTest, WhatCannotBeComparedIsRefused) {
   expect_unusable({"compare"}, "--stage");
   expect_unusable({"compare", "--stage", "resolver"}, "priority_resolver");
