@@ -65,7 +65,8 @@ std::map<Stage, std::filesystem::path> libraries(const RunRecord& run) {
     if (run.levels[stage] == Level::kRtl)
       found[stage] =
           rtl_library(rtl_variant(stage, RtlNeeds::of(*run.database), run.machine.description),
-                      say_on_stderr);
+                      say_on_stderr)
+              .file;
   return found;
 }
 

@@ -18,7 +18,9 @@ const rtl::Interface& load(std::filesystem::path library, std::size_t pins_size)
     if (std::filesystem::exists(instead)) library = instead;
   }
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) throw std::runtime_error(std::string("RTL library: ") + dlerror());
+  if (handle == nullptr)
+    throw std::runtime_error(std::string("RTL library: ") + dlerror() +
+                             "; remove it to have it built anew");
   const auto get =
       reinterpret_cast<const rtl::Interface* (*)()>(dlsym(handle, "cigsim_rtl_interface"));
   if (get == nullptr || get()->version != rtl::kInterfaceVersion || get()->pins_size != pins_size)

@@ -32,7 +32,7 @@ verilator --cc --trace --trace-max-array 256 --trace-max-width 4096 --trace-stru
 root=$(verilator --getenv VERILATOR_ROOT)
 coverage_flag=0
 case "$options" in *coverage*) coverage_flag=1 ;; esac
-flags="-std=c++17 -fPIC -fvisibility=hidden -ffp-contract=off -I$sources -isystem $root/include
+flags="-std=c++17 -fPIC -fvisibility=hidden -ffp-contract=off -isystem $root/include
   -isystem $root/include/vltstd -DVERILATOR=1 -DVM_COVERAGE=$coverage_flag -DVM_SC=0
   -DVL_USER_STOP=1 -DVM_TRACE=1 -DVM_TRACE_VCD=1 -DVM_TRACE_FST=0
   -DVL_PRINTF(...)=static_cast<void>(0)" # vl_stop() tells of broken contracts
@@ -48,25 +48,24 @@ optimiser() {
 if command -v ccache >/dev/null; then compiler="ccache $compiler"; fi
 
 echo "compiler $module"
-objects=
+signature=$(echo "$flags" | cksum | cut -d' ' -f1)
 for file in verilated verilated_threads verilated_vcd_c verilated_cov; do
-  object=$runtime/$file-$(echo "$flags" | cksum | cut -d' ' -f1).o
+  object=$runtime/$file-$signature.o
   if [ -f "$root/include/$file.cpp" ] && [ ! -f "$object" ]; then
     $compiler $flags -O2 -c "$root/include/$file.cpp" -o "$object.$$"
     mv "$object.$$" "$object"
   fi
-  objects="$objects $object"
+  [ ! -f "$object" ] || cp "$object" "$work/$file.o"
 done
 for file in "$work"/V*.cpp "$sources/rtl/$stage/$module.shim.cpp"; do
-  object=$work/$(basename "$file" .cpp).o
-  $compiler $flags -I"$work" $(optimiser "$file") -c "$file" -o "$object" &
-  objects="$objects $object"
+  $compiler $flags -I"$work" -I"$sources" $(optimiser "$file") -c "$file" \
+    -o "$work/$(basename "$file" .cpp).o" &
   # Two at a time.
   if [ -n "${before:-}" ]; then wait "$before"; before=; else before=$!; fi
 done
 wait
 
 echo "link $module"
-$compiler -shared -Wl,-Bsymbolic -o "$work/library.so" $objects -pthread
+$compiler -shared -Wl,-Bsymbolic -o "$work/library.so" "$work"/*.o -pthread
 mv "$work/library.so" "$output"
 rm -rf "$work"

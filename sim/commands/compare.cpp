@@ -57,7 +57,7 @@ struct Outcome {
   std::string scene;
   std::vector<Stage> stages;
   std::vector<RtlVariant> variants;
-  RtlVariant engine;
+  std::optional<RtlLibrary> engine;  ///< none: the SO matrix is not compared
   std::size_t scene_frames = 0, random_frames = 0;
   FramesResult frames;
   std::optional<SoVectorResult> vectors;
@@ -141,14 +141,16 @@ std::vector<ComparePlan> plans_of(const Options& options) {
   if (options.stuck)
     if (const auto* pins = std::get_if<std::pair<Stage, StuckBit>>(&*options.stuck))
       for (ComparePlan& plan : plans) plan.stuck = *pins;
+  for (ComparePlan& plan : plans)
+    for (RtlVariant& variant : plan.variants) variant = rtl_library(variant, say_on_stderr).variant;
   return plans;
 }
 
-SoVectorOptions engine_options(const Options& options, const RtlVariant& variant) {
+SoVectorOptions engine_options(const Options& options, const RtlLibrary& library) {
   SoVectorOptions engine;
-  engine.library = rtl_library(variant, say_on_stderr);
-  engine.objects = variant.parameters[0].value;
-  engine.planes = variant.parameters[1].value;
+  engine.library = library.file;
+  engine.objects = library.variant.parameters[0].value;
+  engine.planes = library.variant.parameters[1].value;
   engine.vectors = options.vectors;
   engine.seed = options.seed;
   if (options.stuck)
@@ -186,7 +188,7 @@ bool reproduce_frames(const std::vector<ComparePlan>& plans, const std::filesyst
 bool reproduce_vector(const Options& options, const std::filesystem::path& file,
                       const Outcome& outcome) {
   const SoMismatch& mismatch = *outcome.vectors->mismatch;
-  const SoVectorOptions engine = engine_options(options, outcome.engine);
+  const SoVectorOptions engine = engine_options(options, *outcome.engine);
   write_replay(SoReplay{mismatch.inputs, options.seed, engine.stuck, summary(mismatch)}, file);
   return replay_so_case(engine, mismatch.inputs).mismatch.has_value();
 }
@@ -219,8 +221,8 @@ void print_outcome(const Outcome& o, const Options& options) {
   std::uint64_t cycles = static_cast<std::uint64_t>(o.frames.cycles);
   double seconds = o.frames.seconds;
   if (o.vectors) {
-    fmt::print("Vectors   {} of {}, {} pairs, seed {}\n", o.vectors->vectors, o.engine.name(),
-               o.vectors->pairs, options.seed);
+    fmt::print("Vectors   {} of {}, {} pairs, seed {}\n", o.vectors->vectors,
+               o.engine->variant.name(), o.vectors->pairs, options.seed);
     cycles += o.vectors->cycles;
     seconds += o.vectors->seconds;
   }
@@ -279,11 +281,13 @@ int compare_command(const Options& options) {
   outcome.scene = plans.front().name;
   outcome.stages = options.stages;
   outcome.variants = plans.front().variants;
-  outcome.engine =
-      options.engine.value_or(so_engine_variant(RtlNeeds::of(*plans.front().databases.front())));
+  if (compares_engine(options))
+    outcome.engine = rtl_library(
+        options.engine.value_or(so_engine_variant(RtlNeeds::of(*plans.front().databases.front()))),
+        say_on_stderr);
   if (options.stuck)
     if (const auto* bit = std::get_if<SoStuckBit>(&*options.stuck))
-      check_stuck(*bit, outcome.engine.parameters[0].value);
+      check_stuck(*bit, outcome.engine->variant.parameters[0].value);
   outcome.scene_frames = plans.front().frames.size();
   for (std::size_t p = 1; p < plans.size(); ++p) outcome.random_frames += plans[p].frames.size();
   {
@@ -293,8 +297,8 @@ int compare_command(const Options& options) {
     if (options.wave) run.wave = WaveRequest{*options.wave, {}, options.stages, {}};
     outcome.frames = compare_frames(plans, run);
   }
-  if (compares_engine(options) && !outcome.frames.mismatch)
-    outcome.vectors = run_so_vectors(engine_options(options, outcome.engine));
+  if (outcome.engine && !outcome.frames.mismatch)
+    outcome.vectors = run_so_vectors(engine_options(options, *outcome.engine));
   const bool equal = !outcome.frames.mismatch && !(outcome.vectors && outcome.vectors->mismatch);
   if (!equal) reproduce(plans, options, outcome);
   if (options.wave && equal)

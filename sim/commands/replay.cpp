@@ -58,7 +58,11 @@ int replay_so(const SoReplay& replay, const Options& options) {
   SoVectorOptions run;
   run.objects = replay.inputs.objects;
   run.planes = replay.inputs.planes;
-  run.library = rtl_library(so_engine_variant(run.objects, run.planes), say_on_stderr);
+  const RtlVariant variant = so_engine_variant(run.objects, run.planes);
+  const RtlLibrary library = rtl_library(variant, say_on_stderr);
+  if (library.variant != variant)
+    throw UsageError("a row of the SO matrix is replayed in its own size; install verilator");
+  run.library = library.file;
   run.seed = replay.seed;
   run.stuck = replay.stuck;
   const SoVectorResult result = replay_so_case(run, replay.inputs);

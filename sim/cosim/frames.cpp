@@ -57,7 +57,7 @@ class Comparison {
 
     for (std::size_t i = 0; i < plan.stages.size(); ++i) {
       pipeline.levels[plan.stages[i]] = Level::kRtl;
-      pipeline.libraries[plan.stages[i]] = rtl_library(plan.variants[i], options.say);
+      pipeline.libraries[plan.stages[i]] = rtl_library(plan.variants[i], options.say).file;
     }
     pipeline.rtl_seed = plan.seed;
     pipeline.stuck = plan.stuck;

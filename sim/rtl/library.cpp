@@ -144,29 +144,32 @@ std::optional<RtlVariant> shipped_rtl(const RtlVariant& wanted) {
 
 void say_on_stderr(const std::string& line) { fmt::print(stderr, "{}\n", line); }
 
-fs::path rtl_library(const RtlVariant& variant, const Say& say) {
-  if (fs::exists(shipped(variant))) return shipped(variant);
+RtlLibrary rtl_library(const RtlVariant& variant, const Say& say) {
+  if (fs::exists(shipped(variant))) return {shipped(variant), variant};
   const fs::path folder = cache_folder();
   const fs::path library =
       folder / fmt::format("{}-{}.so", variant.name(), rtl_hash(variant.stage));
-  if (fs::exists(library)) return library;
+  if (fs::exists(library)) return {library, variant};
 
   std::string reason;
   for (const char* program : {"verilator", "g++"})
     if (reason.empty() && !has_program(program))
       reason = fmt::format("{} is not installed", program);
+  if (reason.empty() && folder.string().find(' ') != std::string::npos)
+    reason =
+        fmt::format("Verilator takes no blanks in '{}'; set CIGSIM_RTL_CACHE", folder.string());
   std::error_code error;
   fs::create_directories(folder, error);
   if (reason.empty() && error)
     reason = fmt::format("{} cannot be made: {}", folder.string(), error.message());
   if (reason.empty()) {
     const Lock lock(folder / "lock");
-    if (fs::exists(library)) return library;
+    if (fs::exists(library)) return {library, variant};
     say(fmt::format("RTL       building {} for this scene, once", variant.name()));
     const fs::path log = fmt::format("{}.log", library.string());
     try {
       if (lock.held()) remove_left_behind(folder);
-      if (build(variant, library, log)) return library;
+      if (build(variant, library, log)) return {library, variant};
       reason = fmt::format("its build failed, see {}", log.string());
     } catch (const std::runtime_error& error) {
       reason = fmt::format("it cannot be built: {}", error.what());
@@ -175,7 +178,7 @@ fs::path rtl_library(const RtlVariant& variant, const Say& say) {
   if (const auto larger = shipped_rtl(variant)) {
     say(fmt::format("RTL       {}: {}; {}, which ships, takes its place", variant.name(), reason,
                     larger->name()));
-    return shipped(*larger);
+    return {shipped(*larger), *larger};
   }
   throw UsageError(
       fmt::format("RTL {}: {}, and no size that ships is large enough; apt-get install "

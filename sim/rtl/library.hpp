@@ -18,6 +18,11 @@ using Say = std::function<void(const std::string&)>;
 /// Says on standard error.
 void say_on_stderr(const std::string& line);
 
+struct RtlLibrary {
+  std::filesystem::path file;
+  RtlVariant variant;  ///< the size that it has
+};
+
 /// The smallest size that ships and covers `wanted`.
 std::optional<RtlVariant> shipped_rtl(const RtlVariant& wanted);
 
@@ -26,6 +31,6 @@ std::optional<RtlVariant> shipped_rtl(const RtlVariant& wanted);
 /// name that has a hash of its sources, so that it is built once. Where Verilator or the compiler
 /// is missing or fails, the nearest larger size that ships is taken, and said. Throws UsageError
 /// where there is none either.
-std::filesystem::path rtl_library(const RtlVariant& variant, const Say& say);
+RtlLibrary rtl_library(const RtlVariant& variant, const Say& say);
 
 }  // namespace cigsim
