@@ -190,6 +190,34 @@ TEST(EdgeOrdererRtl, FullAndOverfullSortingMemoriesAgree) {
   lock_step(kShipped, shipped);
 }
 
+// As many edges and lines as the shipped size has, faces and elements of all bits.
+TEST(EdgeOrdererRtl, PicturesOfTheWholeShippedSizeAgree) {
+  std::vector<std::unique_ptr<OrdererCase>> cases;
+  for (const int width : {16383, 9000}) {
+    std::mt19937 random(static_cast<unsigned>(width));
+    const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
+    cases.push_back(std::make_unique<OrdererCase>(
+        upright_edges(kShipped.edges, kShipped.lines, kShipped.crossings, OverloadPolicy::kDrop)));
+    OrdererCase& c = *cases.back();
+    c.machine.raster.width = width;
+    c.machine.crossing_capacity = width == 9000 ? 200 : 256;
+    c.frames.push_back(c.frames[0]);
+    for (auto& frame : c.frames) {
+      const std::uint32_t crowd = below(static_cast<std::uint32_t>(kShipped.lines));
+      for (EdgeWord& edge : frame) {
+        edge.face = below(1 << 24);
+        const bool crowded = below(8) == 0;  // into a line with more than the capacity
+        edge.first_line = static_cast<std::uint16_t>(crowded ? crowd : below(kShipped.lines));
+        edge.end_line = static_cast<std::uint16_t>(
+            std::min<std::uint32_t>(edge.first_line + 1 + below(3), kShipped.lines));
+        edge.x = static_cast<Word>(random());
+        edge.slope = static_cast<Word>(random()) / 4;
+      }
+    }
+  }
+  lock_step(kShipped, cases);
+}
+
 /// What ends a simulation of the case.
 std::string fault(const OrdererCase& c) {
   test::fresh_simulation();

@@ -273,7 +273,9 @@ void addresses(unsigned members, unsigned levels, std::uint64_t first_seed, std:
     SCOPED_TRACE("seed " + std::to_string(seed));
     // No limit, or one that is far, and the same in its low bits as a small one.
     const std::uint32_t capacity =
-        random.below(3) == 0 ? 0 : (1u << (12 + random.below(20))) | random.below(32);
+        random.below(3) == 0
+            ? 0
+            : (1u << (12 + random.below(20))) | random.below(random.below(2) ? 32 : 4096);
     for (Processor* p : {&low, &high}) p->reset(capacity);
     const MovedFrame frame(seed, {members, std::min(levels, 4u)});
     ASSERT_NO_FATAL_FAILURE(list_frame(frame, low, high, random, items));
@@ -283,6 +285,91 @@ void addresses(unsigned members, unsigned levels, std::uint64_t first_seed, std:
 
 TEST(PriorityProcessorRtl, AddressesAreOf32BitsAtASmallSize) { addresses(8, 4, 1, 150); }
 TEST(PriorityProcessorRtl, AddressesAreOf32BitsAtAnotherSize) { addresses(64, 4, 1000, 40); }
+
+/// The items of a frame of the processor's words, and when each is there.
+struct Listed {
+  std::vector<std::uint32_t> items;
+  std::vector<int> cycles;  ///< and of the end word
+};
+Listed list(Processor& p) {
+  p.reset(0);
+  p.pins().start_valid_i = true;
+  p.pins().items_ready_i = true;
+  Listed listed;
+  for (int cycle = 0; cycle < 1'000'000; ++cycle) {
+    if (p.pins().items_valid_o) {
+      listed.cycles.push_back(cycle);
+      if (p.pins().items_end_o) return listed;
+      listed.items.push_back(p.pins().items_item_o);
+    }
+    p.edge();
+  }
+  return {};
+}
+
+// Which members are active: all that can be of a group of 8.
+TEST(PriorityProcessorRtl, AnyMembersOfAGroup) {
+  constexpr std::uint32_t kMembers = 8;
+  Processor whole(64, 64, 7), small(kMembers, 4, 8);
+  whole.bank = {{kDirectoryAt, 1000}, {kRootAt, 100}, {100, 200}};
+  whole.memory = {{200, 300}, {201, 1}, {207, kMembers * (kMembers - 1) / 2 - 1}};
+  std::uint32_t at = 208;
+  for (std::uint32_t f = 0; f < kMembers; ++f)
+    for (std::uint32_t t = 0; t < f; ++t) whole.memory[at++] = t | f << 8;
+  for (std::uint32_t m = 0; m < kMembers; ++m) whole.memory[300 + m] = m;
+  small.memory = whole.memory;
+  for (std::uint32_t mask = 0; mask < 1u << kMembers; ++mask) {
+    whole.bank[101] = mask;
+    small.bank = whole.bank;
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t m = 0; m < kMembers; ++m)
+      if (mask >> m & 1) expected.push_back(m);
+    const Listed listed = list(small);
+    ASSERT_EQ(listed.items, expected);
+    ASSERT_EQ(listed.cycles, list(whole).cycles);
+  }
+}
+
+// Groups below each other, each with 64 members, all of them active and all counts different.
+void full_groups(unsigned levels) {
+  constexpr std::uint32_t kMembers = 64, kApart = 0x1000;
+  Processor p(kMembers, levels, 5);
+  std::vector<std::uint32_t> expected;
+  p.bank = {{kDirectoryAt, 0x4000'0000}, {kRootAt, kApart}};
+  for (std::uint32_t level = 0; level < levels; ++level) {
+    const std::uint32_t at = kApart * (level + 1), members = at + kApart / 2 + 256;
+    p.bank.insert({{at, at}, {at + 1, ~0u}, {at + 2, ~0u}, {at + 3, at + kApart}});
+    p.memory.insert({{at, members}, {at + 1, 1}});
+    // The eye is on the TRUE side of a plane of zeros: the FALSE member counts.
+    std::uint32_t pairs = 0;
+    const bool up = level % 2 == 0;
+    for (std::uint32_t m = 0; m < kMembers; ++m)
+      for (std::uint32_t n = 0; n < (up ? m : kMembers - 1 - m); ++n)
+        p.memory[at + 8 + pairs++] = (m == 0 ? 1 : 0) | m << 8;
+    p.memory[at + 7] = pairs - 1;
+    for (std::uint32_t m = 0; m < kMembers; ++m) p.memory[members + m] = kMembers * level + m;
+    // The last member that is listed is the group below.
+    const std::uint32_t last = up ? kMembers - 1 : 0;
+    for (std::uint32_t i = 0; i < kMembers; ++i)
+      expected.push_back(kMembers * level + (up ? i : kMembers - 1 - i));
+    if (level + 1 == levels) break;
+    expected.pop_back();
+    p.memory[members + last] = kGroupBit;
+  }
+  EXPECT_EQ(list(p).items, expected);
+}
+
+TEST(PriorityProcessorRtl, FullGroupsAtTheShippedSize) { full_groups(64); }
+TEST(PriorityProcessorRtl, FullGroupsInFourLevels) { full_groups(4); }
+
+TEST(PriorityProcessorRtl, MuchGround) {
+  constexpr std::uint32_t kGround = 70'000;
+  Processor p(8, 4, 6);
+  p.bank = {{kGroundAt, kGround}};
+  const std::vector<std::uint32_t> items = list(p).items;
+  ASSERT_EQ(items.size(), kGround);
+  for (std::uint32_t i = 0; i < kGround; ++i) ASSERT_EQ(items[i], i);
+}
 
 /// The beginning of a frame of the processor's words, cycle by cycle.
 void begin(Processor& p, const std::function<void(const Pins&)>& see) {
