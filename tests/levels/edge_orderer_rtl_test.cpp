@@ -4,6 +4,7 @@
 
 #include "models/edge_orderer/clocked.hpp"
 #include "models/edge_orderer/rtl.hpp"
+#include "rtl/edge_orderer/edge_orderer.pins.hpp"
 #include "tests/levels/orderer_case.hpp"
 #include "tests/support/cases.hpp"
 #include "tests/support/fresh_simulation.hpp"
@@ -216,6 +217,36 @@ TEST(EdgeOrdererRtl, PicturesOfTheWholeShippedSizeAgree) {
     }
   }
   lock_step(kShipped, cases);
+}
+
+// The sequencer of a machine always has room for a loaded word. Without it the word is held, and no
+// edge taken.
+TEST(EdgeOrdererRtl, LoadedWordIsHeldUntilItIsTaken) {
+  using rtl::edge_orderer::Pins;
+  RtlModel model(kSmall.library(), sizeof(Pins), 1);
+  Pins& pins = model.pins<Pins>();
+  pins.rst_i = true;
+  pins.cfg_width_i = pins.cfg_height_i = 16;
+  model.edge();
+  model.edge();
+  pins.rst_i = false;
+  model.edge();
+  for (std::uint32_t frame = 0; frame < 300; ++frame) {
+    ASSERT_TRUE(pins.edges_ready_o);
+    pins.edges_valid_i = pins.edges_end_i = true;
+    pins.loaded_ready_i = false;
+    model.edge();
+    pins.edges_valid_i = false;
+    for (int waits = 0; waits < 3; ++waits) {
+      ASSERT_TRUE(pins.loaded_valid_o);
+      ASSERT_EQ(pins.loaded_frame_o, frame);
+      ASSERT_FALSE(pins.edges_ready_o);
+      model.edge();
+    }
+    pins.loaded_ready_i = true;
+    model.edge();
+    ASSERT_FALSE(pins.loaded_valid_o);
+  }
 }
 
 /// What ends a simulation of the case.

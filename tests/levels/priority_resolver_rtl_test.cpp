@@ -155,6 +155,31 @@ TEST(PriorityResolverRtl, EveryPinAgreesWithClockedInEveryCycleOf4096Faces) {
   lock_step(4096, 2000, test::cases(150));
 }
 
+// Faces of all words of the active set, one after the other.
+TEST(PriorityResolverRtl, FacesOfAllWordsAgree) {
+  for (const int faces : {64, 1024, 4096}) {
+    test::fresh_simulation();
+    const auto words = static_cast<std::uint32_t>(faces) / 32;
+    ResolverCase c;
+    c.machine.raster = {static_cast<int>(words) + 2, 1};
+    for (std::uint32_t w = 0; w < words; ++w) {
+      const auto element = static_cast<std::uint16_t>(w);
+      c.words.push_back({32 * w + w % 32, element, true});
+      c.words.push_back({32 * w + w % 32, static_cast<std::uint16_t>(element + 1), false});
+    }
+    c.words.push_back({0, 0, false, true, false});
+    Clock clock("clock", 125);
+    Bench<Clocked> clocked(c, clock);
+    Bench<Rtl> rtl(c, clock, library(faces), 1u);
+    clock.start();
+    sc_core::sc_start(1000 * clock.period());
+    clock.stop();
+    ASSERT_EQ(clocked.figures.size(), 1u);
+    ASSERT_EQ(rtl.cuts(), clocked.cuts());
+    ASSERT_TRUE(rtl.figures == clocked.figures);
+  }
+}
+
 /// What ends a simulation of these words.
 std::string fault(const std::vector<CrossingWord>& words) {
   test::fresh_simulation();
