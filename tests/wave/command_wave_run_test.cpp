@@ -153,7 +153,8 @@ TEST_F(CommandTest, AFullDiskLeavesNoWave) {
 
 TEST_F(CommandTest, WavesThatCannotBeAreRefusedAheadOfTheRun) {
   expect_unusable({"run", "--wave", "w.txt"}, "--wave: 'w.txt' must end in .vcd or .fst");
-  expect_unusable({"run", "--wave", "w.vcd"}, "no stage is clocked or RTL in this run; add --level");
+  expect_unusable({"run", "--wave", "w.vcd"},
+                  "no stage is clocked or RTL in this run; add --level");
   expect_unusable({"run", "--wave", "w.vcd", "--level", "timed"}, "no stage is clocked");
   expect_unusable({"run", "--wave-cycles", "1:2"}, "--wave");
   const Words clocked{"run", "--level", "priority_resolver=clocked", "--wave", "w.vcd"};
