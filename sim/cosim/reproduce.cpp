@@ -7,7 +7,7 @@
 #include <set>
 
 #include "sim/cosim/frames.hpp"
-#include "sim/wave/programs.hpp"
+#include "sim/program_pipe.hpp"
 
 namespace cigsim::cosim {
 namespace {

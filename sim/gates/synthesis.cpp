@@ -9,7 +9,7 @@
 #include "sim/arguments.hpp"
 #include "sim/gates/parts.hpp"
 #include "sim/rtl/sources.hpp"
-#include "sim/wave/programs.hpp"
+#include "sim/program_pipe.hpp"
 
 namespace cigsim::gates {
 namespace {

@@ -11,7 +11,7 @@
 #include "sim/arguments.hpp"
 #include "sim/progress.hpp"
 #include "sim/rtl/sources.hpp"
-#include "sim/wave/programs.hpp"
+#include "sim/program_pipe.hpp"
 
 namespace cigsim {
 namespace {

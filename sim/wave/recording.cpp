@@ -15,7 +15,7 @@
 #include "models/environment/text_file.hpp"
 #include "models/environment/write.hpp"
 #include "sim/wave/embedded_views.hpp"
-#include "sim/wave/programs.hpp"
+#include "sim/program_pipe.hpp"
 #include "sim/wave/stage_view.hpp"
 #include "sim/wave/vcd_writer.hpp"
 #include "sim/wave/wave_file.hpp"

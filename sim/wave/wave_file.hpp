@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "sim/wave/programs.hpp"
+#include "sim/program_pipe.hpp"
 #include "sim/wave/vcd_reader.hpp"
 
 namespace cigsim {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/wave/programs.hpp"
+#include "sim/program_pipe.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two programs that turn VCD files into FST files and back. FST is the compressed format of the
-// viewer GTKWave; Debian's package gtkwave has both.
+// Other programs that cigsim starts and reads from or writes to.
 #pragma once
 
 #include <sys/types.h>

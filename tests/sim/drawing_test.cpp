@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// SVG drawings and plots: well-formed files with every thing in them, whatever the words and
+// figures.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "models/environment/input_error.hpp"
+#include "sim/drawing/plot.hpp"
+#include "sim/drawing/svg.hpp"
+
+namespace cigsim {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+std::string contents(const fs::path& file) {
+  std::ostringstream out;
+  out << std::ifstream(file, std::ios::binary).rdbuf();
+  return out.str();
+}
+
+class PlotFile : public ::testing::Test {
+ protected:
+  PlotFile() {
+    std::string pattern = (fs::temp_directory_path() / "cigsim-plot-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~PlotFile() override { fs::remove_all(folder_); }
+  fs::path folder_;
+};
+
+TEST(SvgDrawing, HoldsItsPartsAndEscapesWords) {
+  SvgDrawing drawing(200, 100, "a < b");
+  drawing.line({1, 2}, {3.25, 4}, {.stroke = "#ff0000", .width = 2, .dash = "4 3"});
+  const Vec2 corners[] = {{0, 0}, {10, 0}, {0, 10}};
+  drawing.polygon(corners, {.fill = "#00ff00"});
+  drawing.circle({50, 50}, 5, {});
+  drawing.text({10, 20}, "\"S&P\"\n<1>", 12, SvgAnchor::kMiddle);
+  const std::string svg = drawing.svg();
+  EXPECT_NE(svg.find("<title>a &lt; b</title>"), std::string::npos);
+  EXPECT_NE(svg.find("x2=\"3.25\" y2=\"4\" stroke=\"#ff0000\" stroke-width=\"2\" fill=\"none\" "
+                     "stroke-dasharray=\"4 3\""),
+            std::string::npos);
+  EXPECT_NE(svg.find("points=\"0,0 10,0 0,10 \""), std::string::npos);
+  EXPECT_NE(svg.find(">&quot;S&amp;P&quot;&lt;1&gt;</text>"), std::string::npos);
+  EXPECT_EQ(count_of(svg, "<circle"), 1u);
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+}
+
+TEST_F(PlotFile, DrawsEveryCurveOfEveryPlot) {
+  Plot powers{.title = "It's a 'power' law",
+              .x_label = "n",
+              .y_label = "n^2",
+              .log_x = true,
+              .log_y = true,
+              .notes = {"y = x^2"},
+              .curves = {}};
+  powers.curves.push_back({"squares", {{1, 1}, {10, 100}, {100, 1e4}}});
+  powers.curves.push_back({"bars", {{1, 2}, {10, 3}}, CurveStyle::kBars});
+  const Plot linear{.title = "second",
+                    .x_label = "",
+                    .y_label = "",
+                    .curves = {{"marks", {{-1, 2}, {0, 3}}, CurveStyle::kMarks}}};
+  const fs::path file = folder_ / "two.svg";
+  write_plots({powers, linear}, 2, file);
+  const std::string svg = contents(file);
+  for (const char* words : {"It's a 'power' law", "n^2", "y = x^2", "squares", "bars", "second"})
+    EXPECT_TRUE(svg.find(words) != std::string::npos ||
+                svg.find(svg_escaped(words)) != std::string::npos)
+        << words;
+  EXPECT_TRUE(svg.find("width=\"960\" height=\"360\"") != std::string::npos);
+  EXPECT_TRUE(svg.find("</svg>") != std::string::npos);
+}
+
+TEST_F(PlotFile, LeavesOutWhatAnAxisCannotShow) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Plot nothing{.title = "none",
+                     .x_label = "",
+                     .y_label = "",
+                     .log_y = true,
+                     .curves = {{"a", {{1, 0}, {2, -1}, {nan, 1}}}, {"b", {}}}};
+  const fs::path file = folder_ / "none.svg";
+  write_plots({nothing}, 1, file);
+  EXPECT_NE(contents(file).find("nothing to draw"), std::string::npos);
+}
+
+TEST_F(PlotFile, MissingFolderLeavesNothing) {
+  const Plot plot{.title = "t", .x_label = "", .y_label = "", .curves = {{"a", {{1, 1}, {2, 2}}}}};
+  EXPECT_THROW(write_plots({plot}, 1, folder_ / "missing" / "a.svg"), InputError);
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(PlotFile, WithoutGnuplotThePackageIsNamed) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder_.c_str(), 1);
+  EXPECT_FALSE(can_plot());
+  try {
+    write_plots({}, 1, folder_ / "a.svg");
+    ADD_FAILURE() << "drawn";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("gnuplot-nox"), std::string::npos);
+  }
+  ::setenv("PATH", path.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace cigsim
