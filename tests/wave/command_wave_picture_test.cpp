@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // cigsim wave-picture as a process of its own.
-#include "sim/wave/programs.hpp"
+#include "sim/program_pipe.hpp"
 #include "tests/sim/process.hpp"
 
 namespace cigsim {

@@ -5,7 +5,7 @@
 
 #include "firmware/programs.hpp"
 #include "sim/level.hpp"
-#include "sim/wave/programs.hpp"
+#include "sim/program_pipe.hpp"
 #include "sim/wave/saved_view.hpp"
 #include "sim/wave/value_names.hpp"
 #include "sim/wave/wave_file.hpp"
