@@ -13,6 +13,9 @@ namespace cigsim {
 /// Whether PATH leads to `program`.
 bool has_program(const std::string& program);
 
+/// `text` as one word of a shell's command line: as it is, or in quotes.
+std::string shell_word(const std::string& text);
+
 /// A program whose standard output, or input, is a file of ours. Throws std::runtime_error when it
 /// cannot be started.
 class Pipe {

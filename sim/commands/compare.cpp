@@ -18,6 +18,7 @@
 #include "sim/cosim/so_vectors.hpp"
 #include "sim/cosim/stuck_option.hpp"
 #include "sim/machine_options.hpp"
+#include "sim/program_pipe.hpp"
 #include "sim/progress.hpp"
 #include "sim/scene.hpp"
 #include "sim/stats.hpp"
@@ -206,6 +207,19 @@ void reproduce(const std::vector<ComparePlan>& plans, const Options& options, Ou
   }
 }
 
+// The command that shows the stages' RTL at work on the scene.
+std::string wave_run(const std::vector<Stage>& stages, const Options& options) {
+  std::vector<std::string> levels;
+  for (const Stage stage : stages) levels.push_back(fmt::format("{}=rtl", name_of(stage)));
+  std::string command = "cigsim run";
+  if (options.scene) command += " " + shell_word(*options.scene);
+  command += " --machine " + shell_word(options.machine.machine.value_or(kDefaultMachine));
+  if (const auto& raster = options.view.raster)
+    command += fmt::format(" --raster {}x{}", raster->width, raster->height);
+  return command +
+         fmt::format(" --level {} --wave rtl.vcd --wave-cycles 0:20000", fmt::join(levels, ","));
+}
+
 void print_outcome(const Outcome& o, const Options& options) {
   std::vector<std::string_view> stages;
   for (const Stage stage : o.stages) stages.push_back(name_of(stage));
@@ -243,11 +257,7 @@ void print_result(const Outcome& o, const Options& options) {
     fmt::print("{}\n", *o.wave_command);
     return;
   }
-  std::vector<std::string> levels;
-  for (const Stage stage : o.stages) levels.push_back(fmt::format("{}=rtl", name_of(stage)));
-  fmt::print("cigsim run {} --machine {} --level {} --wave rtl.vcd --wave-cycles 0:20000\n",
-             options.scene.value_or(""), options.machine.machine.value_or(kDefaultMachine),
-             fmt::join(levels, ","));
+  fmt::print("{}\n", wave_run(o.stages, options));
 }
 
 Json json_of(const Outcome& o) {
@@ -297,8 +307,15 @@ int compare_command(const Options& options) {
     if (options.wave) run.wave = WaveRequest{*options.wave, {}, options.stages, {}};
     outcome.frames = compare_frames(plans, run);
   }
-  if (outcome.engine && !outcome.frames.mismatch)
-    outcome.vectors = run_so_vectors(engine_options(options, *outcome.engine));
+  if (outcome.engine && !outcome.frames.mismatch) {
+    Progress progress("SO matrix");
+    SoVectorOptions engine = engine_options(options, *outcome.engine);
+    engine.progress = [&](std::uint64_t vectors) {
+      progress.show(static_cast<double>(vectors) / static_cast<double>(options.vectors));
+      return true;
+    };
+    outcome.vectors = run_so_vectors(engine);
+  }
   const bool equal = !outcome.frames.mismatch && !(outcome.vectors && outcome.vectors->mismatch);
   if (!equal) reproduce(plans, options, outcome);
   if (options.wave && equal)

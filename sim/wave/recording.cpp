@@ -14,8 +14,8 @@
 #include "models/environment/input_error.hpp"
 #include "models/environment/text_file.hpp"
 #include "models/environment/write.hpp"
-#include "sim/wave/embedded_views.hpp"
 #include "sim/program_pipe.hpp"
+#include "sim/wave/embedded_views.hpp"
 #include "sim/wave/stage_view.hpp"
 #include "sim/wave/vcd_writer.hpp"
 #include "sim/wave/wave_file.hpp"
@@ -126,16 +126,6 @@ std::string saved_view(const WaveRequest& request) {
   return text;
 }
 
-// For a shell: as it is, or in quotes.
-std::string word(const std::string& text) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 }  // namespace
 
 void write_wave(const WaveRequest& request, const std::function<void(std::ostream&)>& record) {
@@ -151,7 +141,7 @@ std::string view_file(const WaveRequest& request) {
 }
 
 std::string view_command(const WaveRequest& request) {
-  return fmt::format("gtkwave {} {}", word(request.file), word(view_file(request)));
+  return fmt::format("gtkwave {} {}", shell_word(request.file), shell_word(view_file(request)));
 }
 
 }  // namespace cigsim

@@ -57,7 +57,19 @@ TEST_F(CompareTest, TheSummaryEndsWithTheResultAndACommandForWaves) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("0 mismatches\n"), std::string::npos);
   EXPECT_NE(outcome.out.find(" kHz\n"), std::string::npos);
-  EXPECT_NE(outcome.out.find("--wave rtl.vcd"), std::string::npos);
+  EXPECT_NE(outcome.out.find("cigsim run --machine asupt1975 --raster 64x48 --level "
+                             "priority_processor=rtl,edge_orderer=rtl,priority_resolver=rtl "
+                             "--wave rtl.vcd"),
+            std::string::npos);
+}
+
+TEST_F(CompareTest, TheCommandForWavesNamesTheSceneAsAShellTakesIt) {
+  const auto scene = folder_ / "four cubes.json";
+  std::filesystem::copy_file(CIGSIM_SOURCE_DIR "/scenes/levine-cubes-4.json", scene);
+  const Outcome outcome = cigsim({"compare", scene.string(), "--stage", "priority_resolver",
+                                  "--raster", "64x48", "--vectors", "0"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("cigsim run '" + scene.string() + "' --machine"), std::string::npos);
 }
 
 // Whole flights, and 204 random scenes with waits on every link, under all overload policies.
