@@ -2,11 +2,11 @@
 // The smallest enclosing sphere by pivots, after Gärtner ("Fast and Robust Smallest Enclosing
 // Balls", 1999) and Welzl (1991).
 //
-// The sphere always is the exact smallest one of a few support points. A pass finds the point
-// farthest outside; the smallest sphere of the support and that point is found by trying each set
-// of at most four of them, exactly. As its radius grows with every pivot the search ends, however
-// many points lie on one sphere. It begins with a sample of the points, which makes the passes
-// over all of them few.
+// The sphere always is the exact smallest one of a few support points. A pivot takes a point
+// outside and finds the smallest sphere of the support and that point by trying each set of at most
+// four of them, exactly. As the radius grows with every pivot the search ends, however many points
+// lie on one sphere. Pivots go on among few points, first a sample, then those that stuck out of
+// each block of a pass over all, so that two or three passes are enough.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -35,39 +35,55 @@ class Search {
     measure();
   }
 
-  // Smallest sphere of a sample, as far as doubles tell.
-  void try_sample() {
-    const std::size_t step = points_.size() / kSample;
-    if (step < 2) return;
-    std::vector<Vec3> sample;
-    for (std::size_t i = 0; i < points_.size(); i += step) sample.push_back(points_.work()[i]);
-    SphereScan scan(sample);
-    while (add_farthest(scan, static_cast<std::uint32_t>(step))) {
-    }
-  }
-
   void run() {
+    std::vector<std::uint32_t> sample;
+    const std::size_t step = std::max<std::size_t>(points_.size() / kSample, 1);
+    for (std::size_t i = 0; i < points_.size(); i += step)
+      sample.push_back(static_cast<std::uint32_t>(i));
+    solve(sample);
+    if (step == 1) return;
     SphereScan scan(points_.work());
-    while (add_farthest(scan, 1) || add_closer(scan)) {
+    while (solve(scan.outside(scanned_)) || solve_closer(scan)) {
     }
   }
 
   const SphereThrough& sphere() const { return sphere_; }
 
  private:
-  // Pivots to the point that is farthest in doubles; false when that one is not outside for
-  // certain.
-  bool add_farthest(SphereScan& scan, std::uint32_t step) {
+  // Makes the sphere hold these points too; false when it does already.
+  bool solve(const std::vector<std::uint32_t>& places) {
+    if (places.empty()) return false;
+    std::vector<Vec3> chosen;
+    for (const std::uint32_t i : places) chosen.push_back(points_.work()[i]);
+    SphereScan scan(chosen);
+    bool changed = false;
+    while (add_farthest(scan, places) || add_closer(scan, places)) changed = true;
+    return changed;
+  }
+
+  // The same for all points, where those that doubles show outside have been dealt with.
+  bool solve_closer(const SphereScan& scan) {
+    const SphereScan::Closer closer = scan.closer_look(scanned_);
+    if (solve(closer.outside)) return true;
+    return add_doubtful(closer.doubtful);
+  }
+
+  bool add_farthest(SphereScan& scan, const std::vector<std::uint32_t>& places) {
     const SphereScan::Farthest far = scan.farthest(scanned_);
     if (far.squared_distance <= scanned_.squared_radius.high + SphereScan::band(scanned_))
       return false;
-    return add_outside(far.point * step);
+    return add_outside(places[far.point]);
   }
 
-  bool add_closer(const SphereScan& scan) {
-    const SphereScan::Closer closer = scan.closer_look(scanned_);
-    if (closer.excess > 0 && add_outside(closer.point)) return true;
-    return std::any_of(closer.doubtful.begin(), closer.doubtful.end(), [&](std::uint32_t point) {
+  bool add_closer(const SphereScan& scan, const std::vector<std::uint32_t>& places) {
+    SphereScan::Closer closer = scan.closer_look(scanned_);
+    if (closer.excess > 0 && add_outside(places[closer.farthest])) return true;
+    for (std::uint32_t& point : closer.doubtful) point = places[point];
+    return add_doubtful(closer.doubtful);
+  }
+
+  bool add_doubtful(const std::vector<std::uint32_t>& doubtful) {
+    return std::any_of(doubtful.begin(), doubtful.end(), [&](std::uint32_t point) {
       return !repeats_support(point) && add_outside(point);
     });
   }
@@ -150,7 +166,6 @@ BoundingSphere minimum_sphere(std::span<const Vec3> given) {
   if (given.empty()) throw std::invalid_argument("a sphere needs a point");
   const SpherePoints points(given);
   Search search(points);
-  search.try_sample();
   search.run();
   return rounded(search.sphere());
 }

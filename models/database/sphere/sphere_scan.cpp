@@ -21,6 +21,7 @@ CIGSIM_DISPATCH void squared_distances(const Vec3* points, std::size_t count, do
   }
 }
 
+// 0 when none is above it.
 CIGSIM_DISPATCH double largest_of(const double* values, std::size_t count) {
   constexpr std::size_t kLanes = 8;
   double most[kLanes] = {};
@@ -81,42 +82,55 @@ double SphereScan::band(const ScannedSphere& sphere) {
   return 0x1p-46 * squared + 0x1p-48 * std::sqrt(squared) * c + 0x1p-98 * c * c + kUnderflow;
 }
 
-SphereScan::Farthest SphereScan::farthest(const ScannedSphere& sphere) {
+SphereScan::Farthest SphereScan::scan_block(const ScannedSphere& sphere, std::size_t i) {
   double distance[kBlock];
-  Farthest best;
-  double most = -1;
+  const auto points = block(i);
+  squared_distances(points.data(), points.size(), sphere.x.high, sphere.y.high, sphere.z.high,
+                    distance);
+  most_[i] = largest_of(distance, points.size());
+  const auto place = std::find(distance, distance + points.size(), most_[i]) - distance;
+  return {static_cast<std::uint32_t>(i * kBlock + static_cast<std::size_t>(place)), most_[i]};
+}
+
+SphereScan::Farthest SphereScan::farthest(const ScannedSphere& sphere) {
+  Farthest best{0, -1};
   for (std::size_t i = 0; i < most_.size(); ++i) {
-    const auto points = block(i);
-    squared_distances(points.data(), points.size(), sphere.x.high, sphere.y.high, sphere.z.high,
-                      distance);
-    most_[i] = largest_of(distance, points.size());
-    if (most_[i] <= most) continue;
-    most = most_[i];
-    const auto place = std::find(distance, distance + points.size(), most) - distance;
-    best = {static_cast<std::uint32_t>(i * kBlock + static_cast<std::size_t>(place)), most};
+    const Farthest far = scan_block(sphere, i);
+    if (far.squared_distance > best.squared_distance) best = far;
   }
   return best;
+}
+
+std::vector<std::uint32_t> SphereScan::outside(const ScannedSphere& sphere) {
+  const double limit = sphere.squared_radius.high + band(sphere);
+  std::vector<std::uint32_t> out;
+  for (std::size_t i = 0; i < most_.size(); ++i) {
+    const Farthest far = scan_block(sphere, i);
+    if (far.squared_distance > limit) out.push_back(far.point);
+  }
+  return out;
 }
 
 SphereScan::Closer SphereScan::closer_look(const ScannedSphere& sphere) const {
   double excess[kBlock];
   const double least = sphere.squared_radius.high - band(sphere), bound = bound_of(sphere);
   Closer out;
-  out.excess = bound;
   for (std::size_t i = 0; i < most_.size(); ++i) {
     if (most_[i] < least) continue;
     const auto points = block(i);
     excesses(points.data(), points.size(), sphere, excess);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (excess[k] < -bound) continue;
-      const auto point = static_cast<std::uint32_t>(i * kBlock + k);
-      if (excess[k] <= bound) out.doubtful.push_back(point);
-      if (excess[k] <= out.excess) continue;
-      out.excess = excess[k];
-      out.point = point;
+    const double most = largest_of(excess, points.size());
+    const auto place = [&](const double* e) {
+      return static_cast<std::uint32_t>(i * kBlock + static_cast<std::size_t>(e - excess));
+    };
+    if (most > bound) out.outside.push_back(place(std::find(excess, excess + points.size(), most)));
+    if (most > bound && most > out.excess) {
+      out.excess = most;
+      out.farthest = out.outside.back();
     }
+    for (const double* e = excess; e != excess + points.size(); ++e)
+      if (std::abs(*e) <= bound) out.doubtful.push_back(place(e));
   }
-  if (out.excess == bound) out.excess = 0;
   return out;
 }
 

@@ -34,10 +34,15 @@ class SphereScan {
   };
   Farthest farthest(const ScannedSphere& sphere);
 
-  /// After farthest() of the same sphere: by how much points lie outside, in squared distance.
+  /// The farthest point of each block that reaches beyond the sphere by more than band().
+  std::vector<std::uint32_t> outside(const ScannedSphere& sphere);
+
+  /// After farthest() or outside() of the same sphere: squared distances to twice the precision.
   struct Closer {
-    std::uint32_t point = 0;
-    double excess = 0;                    ///< largest; the point is certainly outside when > 0
+    std::uint32_t farthest = 0;
+    double excess = 0;  ///< of `farthest`, which is outside for certain; or 0
+    std::vector<std::uint32_t>
+        outside;  ///< of each block, the farthest that is outside for certain
     std::vector<std::uint32_t> doubtful;  ///< on the sphere as far as this precision tells
   };
   Closer closer_look(const ScannedSphere& sphere) const;
@@ -49,6 +54,8 @@ class SphereScan {
   static constexpr std::size_t kBlock = 512;
 
   std::span<const Vec3> block(std::size_t i) const;
+  /// The largest squared distance in a block, and its place.
+  Farthest scan_block(const ScannedSphere& sphere, std::size_t i);
 
   std::span<const Vec3> points_;
   std::vector<double> most_;  // by block

@@ -9,8 +9,7 @@
 
 namespace cigsim::test {
 
-/// The corners of CGAL's convex_hull_3, decided exactly, sorted. Its hull may keep corners that are
-/// not extreme: points in the middle of an edge or facet.
+/// CGAL's extreme_points_3, the corners of its convex_hull_3, decided exactly; sorted.
 std::vector<Vec3> cgal_hull_corners(std::span<const Vec3> points);
 
 /// The radius of CGAL's Min_sphere_of_spheres_d in doubles.
