@@ -25,12 +25,13 @@ module control_store #(
 
   assign word_o = store_q[micro_address_i[AddressWidth-1:0]];
 
+`ifdef CIGSIM_ASSERTIONS
   // How far the image goes: what lies beyond must not be executed.
   logic [11:0] last_q;
   always_ff @(posedge clk_i) begin
     if (image_write_i) last_q <= 12'(image_address_i);
   end
-
+`endif
   `CIGSIM_ASSERT(image_is_written_in_reset, !image_write_i)
   `CIGSIM_ASSERT(address_in_image, micro_address_i <= last_q)
 endmodule

@@ -31,7 +31,7 @@ module group_places #(
     output logic        inside_o   // of any group
 );
   localparam int IndexWidth = Levels > 1 ? $clog2(Levels) : 1;
-  localparam logic [LevelWidth-1:0] Outside = '1;
+  localparam logic [LevelWidth-1:0] Outside = {LevelWidth{1'b1}};
 
   logic [LevelWidth-1:0] level_q;
   always_ff @(posedge clk_i) begin
