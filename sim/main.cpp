@@ -93,6 +93,8 @@ int main(int argc, char** argv) {
   cigsim::add_assemble(program, exit_code);
   cigsim::add_compare(program, exit_code);
   cigsim::add_replay(program, exit_code);
+  cigsim::add_hull(program, exit_code);
+  cigsim::add_sphere(program, exit_code);
   cigsim::add_compare_algorithms(program, exit_code);
   cigsim::add_sorts(program, exit_code);
   cigsim::add_clip(program, exit_code);

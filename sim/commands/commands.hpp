@@ -18,6 +18,8 @@ void add_machines(CLI::App& program, int& exit_code);
 void add_assemble(CLI::App& program, int& exit_code);
 void add_compare(CLI::App& program, int& exit_code);
 void add_replay(CLI::App& program, int& exit_code);
+void add_hull(CLI::App& program, int& exit_code);
+void add_sphere(CLI::App& program, int& exit_code);
 void add_compare_algorithms(CLI::App& program, int& exit_code);
 void add_sorts(CLI::App& program, int& exit_code);
 void add_clip(CLI::App& program, int& exit_code);
