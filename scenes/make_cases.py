@@ -6,7 +6,7 @@ Nothing is random."""
 
 from pathlib import Path
 
-from scene_tools import Body, box, metres, to_grid, write_scene
+from scene_tools import Body, Frame, along_y, box, metres, to_grid, upright, write_scene
 
 PALETTE = [[214, 84, 62], [232, 164, 60], [214, 206, 84], [104, 172, 88], [76, 164, 168],
            [84, 120, 200], [150, 100, 184], [206, 110, 156]]
@@ -78,6 +78,49 @@ def fuchs_overlap():
     return scene("fuchs overlap", view, objects)
 
 
+def fuchs_house():
+    """Eleven polygons that no plane of theirs cuts: a body of six and a roof of five (fig. 4)."""
+    walls = box(0, 8, 0, 12, 0, 6)
+    roof = along_y([(-1, 6), (9, 6), (4, 10)], -1, 13)
+    objects = [Body("walls", walls, PALETTE[0]).to_json(), Body("roof", roof, PALETTE[4]).to_json()]
+    return scene("fuchs house", {"eye": [-16, -20, 14], "look_at": [4, 6, 4], "fov": 45}, objects)
+
+
+# A block's faces over its corners (x fastest, then y, then z), anticlockwise from outside.
+BLOCK_FACES = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+# The same for corners that run round the plan.
+TOWER_FACES = [[3, 2, 1, 0], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+
+
+def bar(start, end, width):
+    """A plank of some thickness."""
+    low = plank(start, end, width)
+    corners = [low[0], low[1], low[3], low[2]]
+    return corners + [[x, y, z + 7 / 16] for x, y, z in corners]
+
+
+TURNS = [(16, 0), (15, 6), (13, 9), (9, 13), (6, 15), (11, 11)]  # sixteenths, as in Frame
+TOWERS = [  # x, y, half width, half depth, height, turn
+    (-14, -14, 4, 2, 5, 2), (0, -16, 4, 2, 6, 5), (14, -14, 2, 2, 11, 5), (16, 0, 3, 2, 5, 2),
+    (14, 14, 4, 4, 7, 2), (0, 16, 4, 2, 9, 0), (-14, 14, 4, 4, 5, 2), (-16, 0, 2, 2, 10, 5),
+    (28, 0, 2, 2, 10, 2)]
+
+
+def fuchs_blocks():
+    """Seventy-two polygons that become a hundred by rule 1 (Table 1, fig. 5): three bars that
+    overlap in a ring, among nine towers. The figure's own scene is not published."""
+    solids = [("bar " + name, bar(*ends), BLOCK_FACES) for name, ends in zip("ABC", [
+        ((-9, -5), (9, -5), (0, 2)), ((7, -7), (-2, 8), (-2, -1)), ((2, 8), (-7, -7), (2, -1))])]
+    for number, (x, y, wide, deep, high, turn) in enumerate(TOWERS, start=1):
+        frame = Frame(x, y, -3, TURNS[turn])
+        plan = [(-wide, -deep), (wide, -deep), (wide, deep), (-wide, deep)]
+        points = [metres(frame.place(p)) for p in upright(plan, 0, high)]
+        solids.append((f"tower {number}", points, TOWER_FACES))
+    objects = [{"name": name, "colour": PALETTE[n % 8], "vertices": vertices, "faces": faces}
+               for n, (name, vertices, faces) in enumerate(solids)]
+    return scene("fuchs blocks", {"eye": [-18, -44, 40], "look_at": [2, -2, 0], "fov": 50}, objects)
+
+
 # --- Stump 1986 --------------------------------------------------------------------------------
 
 # Faces of a cube by vertex numbers, clockwise from outside as his program expects: it takes
@@ -140,6 +183,8 @@ def main():
         write_scene(here / f"levine-cubes-{count}.json", levine_cubes(count))
     write_scene(here / "levine-city.json", levine_city())
     write_scene(here / "fuchs-overlap.json", fuchs_overlap())
+    write_scene(here / "fuchs-house.json", fuchs_house())
+    write_scene(here / "fuchs-blocks.json", fuchs_blocks())
     write_scene(here / "stump-not-listable.json", stump_not_listable())
     for name, cards in DECKS.items():
         (here / f"{name}.deck").write_text(cards, encoding="ascii", newline="\n")

@@ -26,7 +26,8 @@ const Shipped kShipped[] = {
     {"levine-cubes-48.json", 48, 288, 576, 0}, {"levine-city.json", 16, 96, 192, 0},
     {"fuchs-overlap.json", 3, 3, 12, 0},       {"stump-case-1.deck", 2, 12, 24, 0},
     {"stump-case-2.deck", 4, 24, 48, 0},       {"stump-case-3.deck", 5, 30, 60, 0},
-    {"stump-not-listable.json", 4, 24, 48, 0},
+    {"stump-not-listable.json", 4, 24, 48, 0}, {"fuchs-house.json", 2, 11, 21, 0},
+    {"fuchs-blocks.json", 12, 72, 144, 0},
 };
 
 std::filesystem::path scenes() { return std::filesystem::path(CIGSIM_SOURCE_DIR) / "scenes"; }
