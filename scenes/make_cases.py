@@ -168,6 +168,23 @@ NOT_LISTABLE = [
     {"normal": [0, 0, -1], "distance": 0, "pairs": [[2, 1], [4, 3]]}]
 
 
+# The pairs of the same figure as he assigns them anew. Planes 1 and 3 stand upright and plane 2
+# between them, all through one line: only so is his table listable from everywhere.
+REASSIGNED = [
+    {"normal": [1, 0, 0], "distance": 0, "pairs": [[3, 1], [3, 2]]},
+    {"normal": [1, 1, 0], "distance": 0, "pairs": [[4, 1], [4, 2]]},
+    {"normal": [0, 1, 0], "distance": 0, "pairs": [[2, 1], [4, 3]]}]
+
+
+def stump_reassigned():
+    boxes = [(-8, -2, -8, -2, 0, 4), (-8, -5, 1, 3, 0, 4), (1, 8, -8, -2, 0, 4),
+             (1, 8, 2, 8, 0, 4)]
+    objects = [Body(name, box(*extent), colour).to_json()
+               for name, extent, colour in zip("ABCD", boxes, PALETTE[0:8:2])]
+    view = {"eye": [-14, -16, 14], "look_at": [0, 0, 0], "fov": 45}
+    return scene("stump reassigned", view, objects) | {"separation": REASSIGNED}
+
+
 def stump_not_listable():
     boxes = [(-3, -1, -3, -1, 1, 3), (-8, -1, 1, 3, -3, -1), (1, 3, 1, 3, 1, 8),
              (1, 3, -8, -1, -3, -1)]
@@ -186,6 +203,7 @@ def main():
     write_scene(here / "fuchs-house.json", fuchs_house())
     write_scene(here / "fuchs-blocks.json", fuchs_blocks())
     write_scene(here / "stump-not-listable.json", stump_not_listable())
+    write_scene(here / "stump-reassigned.json", stump_reassigned())
     for name, cards in DECKS.items():
         (here / f"{name}.deck").write_text(cards, encoding="ascii", newline="\n")
 

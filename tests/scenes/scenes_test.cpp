@@ -20,6 +20,7 @@ struct Shipped {
 };
 
 const Shipped kShipped[] = {
+    {"stump-reassigned.json", 4, 24, 48, 0},
     {"airfield.json", 158, 1011, 1957, 116},   {"levine-cubes-4.json", 4, 24, 48, 0},
     {"levine-cubes-8.json", 8, 48, 96, 0},     {"levine-cubes-16.json", 16, 96, 192, 0},
     {"levine-cubes-24.json", 24, 144, 288, 0}, {"levine-cubes-32.json", 32, 192, 384, 0},
