@@ -22,7 +22,8 @@ class Crossing {
   static Crossing of(const Plane& plane, const SeenPoint& a, const SeenPoint& b);
 
   Kind kind() const { return kind_; }
-  double t() const { return t_; }
+  /// Within 2^-40.
+  double t(const Eye& eye) const { return error_ < 0x1p-40 ? t_ : to_double(exact(eye)); }
   const Exact& exact(const Eye& eye) const;
   /// -1, 0 or 1; both lie on the same edge, taken in the same direction.
   int compare(const Crossing& other, const Eye& eye) const;

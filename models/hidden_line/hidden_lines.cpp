@@ -96,7 +96,8 @@ void HiddenLines::process(std::size_t index) {
       }
     }
   }
-  if (!with_hidden_) return;
+  // A solid with the eye in it is not seen at all.
+  if (!with_hidden_ || part.kind != PartKind::kSolid || seen.cells.front().fronts.empty()) return;
   for (std::uint32_t e = 0; e < part.edges.size(); ++e)
     if (seen.kind[e] == EdgeKind::kBack && part.edges[e].drawn == Drawn::kAlways)
       pieces_.push_back({static_cast<std::uint32_t>(index), e, 0, 1, false});
@@ -226,7 +227,7 @@ int HiddenLines::walk(std::size_t index, std::uint32_t edge, bool reversed, int 
   };
   for (std::size_t i = 0; i < events_.size();) {
     const Crossing& at = events_[i].at;
-    const double t = at.t();
+    const double t = at.t(eye_);
     std::size_t next = i;
     for (; next < events_.size() && events_[next].at.compare(at, eye_) == 0; ++next)
       count += events_[next].change;
