@@ -13,7 +13,7 @@
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
 #include "sim/functional_machine.hpp"
-#include "sim/host_time.hpp"
+#include "sim/processor_time.hpp"
 #include "sim/progress.hpp"
 #include "sim/scene.hpp"
 #include "sim/stats.hpp"
@@ -81,7 +81,7 @@ double measure(const Algorithm& algorithm, const survey::FaceList& list, std::ui
   std::vector<double> times;
   for (std::uint64_t i = 0; i < repeat; ++i) {
     work = {};
-    HostTime time;
+    ProcessorTime time;
     algorithm.compute(list, picture, work);
     times.push_back(time.lap());
   }
@@ -197,10 +197,9 @@ void print_table(const std::string& scene, const Comparison& c) {
                survey_columns(*result.algorithm));
   }
   fmt::print(
-      "relative: host time, with the z-buffer at 54. Right of it the cost that Sutherland, "
-      "Sproull\n"
-      "and Schumacker (1974) estimated for scenes of so many faces: orders of magnitude only, for\n"
-      "machines of their day; -: not among the figures used here.\n");
+      "host ms: processor time. relative: the same, with the z-buffer at 54. Right of it what\n"
+      "Sutherland, Sproull and Schumacker (1974) estimated for scenes of so many faces: orders of\n"
+      "magnitude only, for machines of their day; -: not among the figures used here.\n");
   print_differences(c);
 }
 

@@ -185,7 +185,7 @@ TEST(Sorts, ListsOfAScene) {
   const std::vector<SortLists> lists = scene_lists(list);
   ASSERT_EQ(lists.size(), 4u);
   EXPECT_EQ(keys_of(lists[0].lists[0]), (Keys{0, 0, 1, 1}));
-  EXPECT_EQ(keys_of(lists[1].lists[1]), (Keys{0, 2, 1, 5}));
+  EXPECT_EQ(keys_of(lists[1].lists[1]), (Keys{0, 1, 2, 5}));
   EXPECT_EQ(keys_of(lists[2].lists[1]), (Keys{1, 5, 0, 2}));
   EXPECT_EQ(keys_of(lists[1].lists[2]), (Keys{3, 1, 6, 5}));  // as ordered on line 1
   EXPECT_TRUE(lists[1].lists[3].empty());

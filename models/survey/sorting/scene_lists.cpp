@@ -62,10 +62,14 @@ std::vector<SortLists> scene_lists(const FaceList& list) {
   for (int r = 0; r < list.raster.height; ++r) {
     std::erase_if(carried,
                   [&](const Record& record) { return list.edges[record.index].end_line <= r; });
-    std::vector<Record> now;
-    for (const std::uint32_t e : begin[static_cast<std::size_t>(r)]) now.push_back({0, e});
-    now.insert(now.end(), carried.begin(), carried.end());
+    std::vector<Record> now = carried;
     for (Record& record : now) record.key = element(list, record.index, r);
+    for (const std::uint32_t e : begin[static_cast<std::size_t>(r)]) {
+      const Record record{element(list, e, r), e};
+      now.insert(std::find_if(now.begin(), now.end(),
+                              [&](const Record& other) { return other.key > record.key; }),
+                 record);
+    }
     std::vector<Record> afresh = now;
     std::sort(afresh.begin(), afresh.end(),
               [](const Record& a, const Record& b) { return a.index < b.index; });

@@ -20,7 +20,7 @@ struct SortLists {
 /// In this order:
 ///  - "Y": all edges by their first line, as they stand in the database;
 ///  - "X, line to line": on each line the crossings by element, in the order that they had on the
-///    line before, with new ones in front;
+///    line before, new ones inserted where the line has them;
 ///  - "X, afresh": the same crossings in the order of the database;
 ///  - "Z": all faces by their farthest depth, a key of 32 bits.
 std::vector<SortLists> scene_lists(const FaceList& list);

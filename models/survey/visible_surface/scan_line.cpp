@@ -2,6 +2,7 @@
 #include "models/survey/visible_surface/scan_line.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -41,17 +42,15 @@ void ScanLines::next() {
   std::erase_if(active_,
                 [this](const LineEdge& e) { return list_.edges[e.edge].end_line <= line_; });
   for (LineEdge& edge : active_) place(edge);
-  for (std::size_t i = first_[static_cast<std::size_t>(line_)];
-       i < first_[static_cast<std::size_t>(line_) + 1]; ++i) {
-    const std::uint32_t e = by_line_[i];
-    active_.push_back({e, list_.edges[e].face, 0, list_.edges[e].left});
-    place(active_.back());
-  }
-  if (!active_.empty()) ++work_.sorts;
-  if (sort_ == XSort::kBubble)
+  enter();
+  if (!active_.empty() || !entered_.empty()) ++work_.sorts;
+  if (sort_ == XSort::kBubble) {
     bubble();
-  else
+    merge();
+  } else {
+    active_.insert(active_.end(), entered_.begin(), entered_.end());
     distribute();
+  }
   before_.swap(sorted_);
   sorted_.clear();
   for (const LineEdge& edge : active_) {
@@ -63,6 +62,16 @@ void ScanLines::next() {
       [](const LineEdge& a, const LineEdge& b) { return a.face == b.face && a.left == b.left; });
 }
 
+void ScanLines::enter() {
+  entered_.clear();
+  for (std::size_t i = first_[static_cast<std::size_t>(line_)];
+       i < first_[static_cast<std::size_t>(line_) + 1]; ++i) {
+    const std::uint32_t e = by_line_[i];
+    entered_.push_back({e, list_.edges[e].face, 0, list_.edges[e].left});
+    place(entered_.back());
+  }
+}
+
 void ScanLines::bubble() {
   for (std::size_t i = 1; i < active_.size(); ++i)
     for (std::size_t k = i; k > 0; --k) {
@@ -70,6 +79,19 @@ void ScanLines::bubble() {
       if (!before(active_[k], active_[k - 1])) break;
       std::swap(active_[k], active_[k - 1]);
     }
+}
+
+void ScanLines::merge() {
+  const auto counted = [this](const LineEdge& a, const LineEdge& b) {
+    ++work_.comparisons;
+    return before(a, b);
+  };
+  std::sort(entered_.begin(), entered_.end(), counted);
+  std::vector<LineEdge> merged;
+  merged.reserve(active_.size() + entered_.size());
+  std::merge(active_.begin(), active_.end(), entered_.begin(), entered_.end(),
+             std::back_inserter(merged), counted);
+  active_ = std::move(merged);
 }
 
 void ScanLines::distribute() {

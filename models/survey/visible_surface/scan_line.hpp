@@ -21,7 +21,7 @@ struct LineEdge {
 
 /// How the active edges of a line are put in order.
 enum class XSort {
-  kBubble,       ///< neighbours exchanged, from the order of the line before; new edges come last
+  kBubble,       ///< neighbours exchanged, from the order of the line before; new edges merged in
   kDistribution  ///< counted into a bucket an element, afresh on each line
 };
 
@@ -40,7 +40,9 @@ class ScanLines {
 
  private:
   void place(LineEdge& edge) const;
+  void enter();
   void bubble();
+  void merge();
   void distribute();
 
   const FaceList& list_;
@@ -49,7 +51,7 @@ class ScanLines {
   int line_ = -1;
   std::vector<std::uint32_t> by_line_;  // edges in the order of their first lines
   std::vector<std::uint32_t> first_;    // by line: into by_line_
-  std::vector<LineEdge> active_, sorted_, before_;
+  std::vector<LineEdge> active_, entered_, sorted_, before_;
   std::vector<std::uint32_t> buckets_;
   bool same_order_ = false;
 };
