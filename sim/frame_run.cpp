@@ -76,6 +76,7 @@ void run_pipeline(const std::vector<FrameView>& views, const Interrupt& interrup
   SystemcMachine machine("cigsim", {.description = run.machine.description,
                                     .overload = run.machine.overload,
                                     .eye_reach = run.machine.eye_reach,
+                                    .detail = run.machine.detail,
                                     .levels = run.levels,
                                     .stalls = {},
                                     .libraries = libraries(run),

@@ -52,8 +52,10 @@ struct FrameStats {
   double host_ms = 0;  ///< all stages, without file output
   StageTimes stages;
   std::uint64_t active_items = 0, faces = 0, edges = 0, crossings = 0, spans = 0;
-  std::uint64_t worst_line_crossings = 0;     ///< most crossings on one line
-  std::uint32_t worst_line = 0;               ///< the first line with so many
+  std::uint64_t worst_line_crossings = 0;  ///< most crossings on one line
+  std::uint32_t worst_line = 0;            ///< the first line with so many
+  /// Choices that were made: how many show their least detailed description, their second, …
+  std::vector<std::uint32_t> detail;
   std::uint32_t faults = 0;                   ///< listability faults
   std::vector<ListabilityFault> listability;  ///< the same by name
   std::uint64_t exact_tests = 0;              ///< side tests redone in rational arithmetic

@@ -58,12 +58,12 @@ class FunctionalMachine::Impl {
   Impl(const Database& database, const MachineOptions& options)
       : database_(database),
         options_(options),
-        frame_calculator_(database),
+        frame_calculator_(database, options.detail),
         stages_(make_stages(options)) {
     picture_.fit(options.raster);  // the display's memory is there before the first frame
     if (options.number == NumberType::kMachine)
-      words_ =
-          std::make_unique<WordStages>(options.description, options.overload, options.eye_reach);
+      words_ = std::make_unique<WordStages>(options.description, options.overload,
+                                            options.eye_reach, options.detail);
   }
 
   const Picture& compute(const Viewpoint& viewpoint, double frame) {
@@ -76,6 +76,7 @@ class FunctionalMachine::Impl {
     const std::uint64_t fallbacks = exact_fallbacks();
     HostTime time;
     frame_calculator_.compute(viewpoint, options_.raster, frame, active_, moving_);
+    stats_.detail = active_.detail;
     stats_.stages.frame_calculator = time.lap();
     std::visit([&](auto& stages) { run(stages, time); }, stages_);
     stats_.host_ms = time.total();

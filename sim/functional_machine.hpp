@@ -30,6 +30,8 @@ struct MachineOptions {
   MachineDescription description;  ///< for NumberType::kMachine; its raster is `raster`
   OverloadPolicy overload = OverloadPolicy::kDrop;
   double eye_reach = 0;  ///< for NumberType::kMachine: as coordinate_scale()
+  /// What the thresholds of levels of detail are multiplied by; 0: the most detailed throughout.
+  double detail = 1;
 };
 
 /// Keeps its working memory from frame to frame. One thread.

@@ -50,6 +50,7 @@ MachineOptions machine_options(const MachineChoices& choices, const std::optiona
   MachineOptions options;
   options.number = words ? NumberType::kMachine : choices.number.value_or(NumberType::kDouble);
   options.priority = choices.priority;
+  options.detail = choices.detail;
   options.resolver =
       words ? ResolverMethod::kActiveList : choices.resolver.value_or(ResolverMethod::kAuto);
   options.raster = raster.value_or(options.raster);
@@ -61,6 +62,14 @@ MachineOptions machine_options(const MachineChoices& choices, const std::optiona
 }
 
 namespace {
+
+double parse_detail(const std::string& text) {
+  double scale = 0;
+  if (text != "most" && (!to_number(text, scale) || !(scale > 0)))
+    throw UsageError(
+        fmt::format("--detail: '{}' is neither a number above 0 nor the word most", text));
+  return scale;
+}
 
 // An option of the group of the machine's.
 template <class Take>
@@ -128,6 +137,10 @@ void add_machine_options(CLI::App& command, MachineChoices& o) {
       "Faces painted from the lowest priority up, spans from a coverage mask, or spans from the "
       "machine's own active list (the only one on machine words); auto (default) takes the cheaper "
       "of the first two");
+  add(
+      command, "--detail", "SCALE|most", [&o](const Text& t) { o.detail = parse_detail(t); },
+      "Multiply the thresholds of levels of detail: 2 shows less detailed descriptions up to twice "
+      "their size, 0.5 up to half; most takes the most detailed ones throughout. Default: 1");
 }
 
 }  // namespace cigsim

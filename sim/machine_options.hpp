@@ -18,6 +18,7 @@ struct MachineChoices {
   std::optional<ResolverMethod> resolver;
   PriorityMethod priority = PriorityMethod::kCounters;
   std::optional<OverloadPolicy> overload;
+  double detail = 1;  ///< MachineOptions::detail
   LevelChoice levels;
 };
 

@@ -24,8 +24,15 @@ void append(Environment& whole, Environment&& part) {
     if (model.system != 0) model.system += systems;
     whole.models.push_back(std::move(model));
   }
+  const auto choices = static_cast<std::uint32_t>(whole.choices.size());
+  for (Choice& choice : part.choices) {
+    choice.model += models;
+    if (choice.within) choice.within->choice += choices;
+    whole.choices.push_back(std::move(choice));
+  }
   for (Object& object : part.objects) {
     object.model += models;
+    if (object.within) object.within->choice += choices;
     whole.objects.push_back(std::move(object));
   }
   std::move(part.systems.begin() + 1, part.systems.end(), std::back_inserter(whole.systems));
@@ -98,6 +105,7 @@ Database prepare_scene(const ReadResult& scene, const std::string& name,
   options.file = name;
   options.sun = choices.sun;
   if (choices.contact_tolerance) options.contact_tolerance = *choices.contact_tolerance;
+  options.most_detailed = choices.most_detailed;
   options.progress = [&](double share) { progress.show(share); };
   Database database = prepare(scene.environment, options);
   std::vector<Notice> notices = scene.notices;

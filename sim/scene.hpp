@@ -29,6 +29,8 @@ struct LoadedScene {
 struct PreparationChoices {
   std::optional<Sun> sun;
   std::optional<double> contact_tolerance;
+  /// PrepareOptions::most_detailed. A prepared database keeps its levels of detail.
+  bool most_detailed = false;
 };
 
 /// SCENE.

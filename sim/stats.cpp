@@ -6,6 +6,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "models/database/database_json.hpp"
 
@@ -39,7 +40,8 @@ Json options_json(const RunRecord& run) {
            {"overload", name_of(run.machine.overload)},
            {"raster", {run.machine.raster.width, run.machine.raster.height}},
            {"frames", run.frames_wanted},
-           {"repeat", run.repeat}};
+           {"repeat", run.repeat},
+           {"detail", run.machine.detail == 0 ? Json("most") : Json(run.machine.detail)}};
   out["path"] = run.path ? Json(*run.path) : Json();
   out["sun"] = run.sun ? Json::array({run.sun->azimuth, run.sun->elevation}) : Json();
   return out;
@@ -104,6 +106,13 @@ Json listability_json(const std::vector<ListabilityFault>& faults) {
   return out;
 }
 
+// Null in a frame without choices.
+Json detail_json(const std::vector<std::uint32_t>& counts) {
+  if (counts.empty()) return nullptr;
+  return {{"choices", std::accumulate(counts.begin(), counts.end(), std::uint64_t{0})},
+          {"descriptions", counts}};
+}
+
 Json machine_to_json(const RunRecord& run) {
   if (run.machine.number != NumberType::kMachine) return nullptr;
   return Json::parse(machine_json(run.machine.description));
@@ -130,6 +139,7 @@ Json frame_json(const FrameRecord& frame, std::size_t number) {
           {"worst_line_crossings", stats.worst_line_crossings},
           {"worst_line", stats.worst_line},
           {"spans", stats.spans},
+          {"detail", detail_json(stats.detail)},
           {"overload", overload_json(stats.overload)},
           {"faults", stats.faults},
           {"listability", listability_json(stats.listability)},

@@ -69,7 +69,7 @@ class SystemcMachine::Impl : public sc_core::sc_module {
       : sc_module(name),
         options_(options),
         clock_("clock", options.description.clock_ns),
-        loader_(options.description, options.eye_reach),
+        loader_(options.description, options.eye_reach, options.detail),
         start_calculator_("start_calculator", kControlDepth, options.stalls, false, false, clock_),
         calculated_("calculated", kControlDepth, options.stalls, false, false, clock_),
         start_priority_("start_priority", kControlDepth, options.stalls, false,
@@ -477,7 +477,10 @@ class SystemcMachine::Impl : public sc_core::sc_module {
 
   frame_calculator::Work calculate(std::uint32_t frame) {
     try {
-      return loader_.load(*job_->database, job_->viewpoint, job_->position, frame);
+      frame_calculator::Work work =
+          loader_.load(*job_->database, job_->viewpoint, job_->position, frame);
+      stats_of(frame).detail = work.detail;
+      return work;
     } catch (...) {
       failure = std::current_exception();
       return {};

@@ -34,6 +34,7 @@ struct PipelineOptions {
   MachineDescription description;
   OverloadPolicy overload = OverloadPolicy::kDrop;
   double eye_reach = 0;  ///< as coordinate_scale()
+  double detail = 1;     ///< as MachineOptions
   LevelChoice levels;    ///< none functional
   StallFunction stalls;  ///< holds words back on the links (tests)
   /// Of each stage at the RTL level: its library, of a size that holds all frames. Registers

@@ -6,9 +6,10 @@
 
 namespace cigsim {
 
-WordStages::WordStages(const MachineDescription& machine, OverloadPolicy policy, double eye_reach)
+WordStages::WordStages(const MachineDescription& machine, OverloadPolicy policy, double eye_reach,
+                       double detail)
     : machine_(machine),
-      loader_(machine, eye_reach),
+      loader_(machine, eye_reach, detail),
       priority_(machine.object_capacity),
       geometry_(machine),
       orderer_(machine.crossing_capacity, policy) {}
@@ -21,7 +22,9 @@ void WordStages::compute(const Database& database, const Viewpoint& viewpoint, d
     overload.overflows[static_cast<std::size_t>(stage)] = figures.overflows;
   };
 
-  note(Stage::kFrameCalculator, loader_.load(database, viewpoint, position, 0));
+  const frame_calculator::Work work = loader_.load(database, viewpoint, position, 0);
+  note(Stage::kFrameCalculator, work);
+  stats.detail = work.detail;
   stats.stages.frame_calculator = time.lap();
 
   priority_processor::Figures priority;

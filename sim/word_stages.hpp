@@ -14,8 +14,9 @@ namespace cigsim {
 
 class WordStages {
  public:
-  /// `eye_reach`: as coordinate_scale().
-  WordStages(const MachineDescription& machine, OverloadPolicy policy, double eye_reach);
+  /// `eye_reach`: as coordinate_scale(). `detail`: as MachineOptions.
+  WordStages(const MachineDescription& machine, OverloadPolicy policy, double eye_reach,
+             double detail = 1);
 
   /// Computes a frame into `picture` and its figures. `position` places the moving models.
   void compute(const Database& database, const Viewpoint& viewpoint, double position,

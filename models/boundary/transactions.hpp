@@ -60,8 +60,12 @@ struct ActiveEnvironment {
     std::uint32_t neighbour = 0;  ///< static item whose place it takes, or kNone: no static item
     bool before = false;          ///< in front of the neighbour, or behind it
     std::uint64_t order = 0;      ///< among pieces of one place, ascending from the front
+    bool instead = false;         ///< the neighbour is a placeholder, which is not listed
   };
   std::vector<MovingPiece> moving;
+  /// Of the choices that retrieval met, how many show their least detailed description, their
+  /// second, and so on.
+  std::vector<std::uint32_t> detail;
 };
 
 /// A group whose counts were not unique in a frame, and why. Objects by their numbers.

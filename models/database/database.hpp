@@ -89,14 +89,29 @@ struct Member {
   bool is_group = false;
   std::uint32_t index = 0;  ///< into FaceSet::items or PriorityHierarchy::groups
   Sphere sphere;            ///< everything below
+  /// Of a choice only: the item has no faces. It holds the place of a description that shows
+  /// nothing here, for the moving pieces that may come there, and is never listed itself.
+  bool placeholder = false;
+};
+
+/// A thing with several descriptions, of which one is shown at a time (Levine 1975, ch. II.G).
+struct PreparedChoice {
+  Sphere sphere;  ///< around all descriptions, in the system's axes
+  /// Of each description but the last and most detailed one: the largest projected radius, in
+  /// elements, at which it is shown; ascending from above 0.
+  std::vector<double> thresholds;
 };
 
 inline constexpr std::uint32_t kGroupCapacity = 64;
 
 struct Group {
   std::uint32_t first_member = 0, member_count = 0;
-  /// Node 0 is the root; member_count - 1 nodes (of a table made by hand, at most 63).
+  /// Node 0 is the root; member_count - 1 nodes (of a table made by hand, at most 63; of a choice
+  /// none).
   std::uint32_t first_node = 0, node_count = 0;
+  /// Into PriorityHierarchy::choices: the members are the descriptions, least detailed first, and
+  /// one of them is active at a time. A choice that a plane cuts has several such groups.
+  std::uint32_t choice = kNone;
 };
 
 struct PriorityHierarchy {
@@ -106,6 +121,7 @@ struct PriorityHierarchy {
   std::vector<MemberPair> pairs;
   std::vector<Member> members;
   std::vector<Group> groups;  ///< groups[0] is the root when there is an item
+  std::vector<PreparedChoice> choices;
 };
 
 /// A coordinate system with its own faces and priority data, in its own axes.
@@ -125,7 +141,8 @@ struct PreparationReport {
   std::uint64_t pieces = 0;  ///< convex objects and faces of the others, counted after the cuts
   std::uint64_t cuts = 0;    ///< how often a plane cut an item in two
   std::uint64_t planes = 0, groups = 0, depth = 0;
-  std::uint64_t pairs = 0;  ///< TRUE/FALSE pairs over all groups
+  std::uint64_t pairs = 0;    ///< TRUE/FALSE pairs over all groups
+  std::uint64_t choices = 0;  ///< things with several descriptions
   double seconds = 0;
   std::vector<Notice> notices;
 };

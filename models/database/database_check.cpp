@@ -104,21 +104,49 @@ class PlaneTree {
   std::uint32_t nodes_met_ = 0;
 };
 
+// The descriptions of a choice, without planes.
+void check_choice_group(const PriorityHierarchy& hierarchy, const Group& group,
+                        const std::string& place) {
+  expect(group.choice < hierarchy.choices.size(), place, "names no choice");
+  expect(group.member_count == hierarchy.choices[group.choice].thresholds.size() + 1, place,
+         "must have a member a description of its choice");
+  expect(group.node_count == 0, place, "is a choice and must have no planes");
+  bool shows = false;
+  for (std::uint32_t m = 0; m < group.member_count; ++m)
+    shows = shows || !hierarchy.members[group.first_member + m].placeholder;
+  expect(shows, place, "is a choice of nothing");
+}
+
+void check_choices(const PriorityHierarchy& hierarchy, const std::string& place) {
+  for (const PreparedChoice& choice : hierarchy.choices) {
+    double last = 0;
+    for (const double threshold : choice.thresholds) {
+      expect(threshold > last, place + ".choices", "thresholds must ascend from above 0");
+      last = threshold;
+    }
+  }
+}
+
 void check_group(const PriorityHierarchy& hierarchy, const Group& group, const std::string& place) {
   expect(group.member_count >= 1 && group.member_count <= kGroupCapacity, place,
          "must have 1 to 64 members");
-  expect(group.node_count == group.member_count - 1, place, "must have a plane less than members");
+  expect(group.choice != kNone || group.node_count == group.member_count - 1, place,
+         "must have a plane less than members");
   expect(in_range(group.first_member, group.member_count, hierarchy.members.size()), place,
          "its members are out of range");
   expect(in_range(group.first_node, group.node_count, hierarchy.nodes.size()), place,
          "its nodes are out of range");
-  PlaneTree(hierarchy, group, place).check();
+  if (group.choice == kNone)
+    PlaneTree(hierarchy, group, place).check();
+  else
+    check_choice_group(hierarchy, group, place);
 }
 
 // A table made by hand: one group of items, every node with pairs that agree with its masks.
 void check_table(const PriorityHierarchy& hierarchy, const std::string& place) {
   expect(hierarchy.groups.size() == 1, place, "has pairs but not one group");
   const Group& group = hierarchy.groups[0];
+  expect(group.choice == kNone, place, "has pairs and a choice");
   expect(group.first_member == 0 && group.member_count <= kGroupCapacity &&
              group.member_count == hierarchy.members.size(),
          place, "must hold its members, at most 64, in its group");
@@ -146,9 +174,20 @@ void check_table(const PriorityHierarchy& hierarchy, const std::string& place) {
   }
 }
 
+// Only a placeholder has no faces, and it holds the place of a description.
+void check_item(const Item& item, const Member& member, const Group& group,
+                const std::string& place) {
+  const bool empty = item.face_count == 0 && item.vertex_count == 0;
+  expect(member.placeholder == empty, place,
+         empty ? "holds an item without faces" : "has a placeholder with faces or vertices");
+  expect(!member.placeholder || group.choice != kNone, place, "has a placeholder and is no choice");
+}
+
 // One tree from group 0 that meets every group and every item once.
-void check_hierarchy(const PriorityHierarchy& hierarchy, std::size_t items,
+void check_hierarchy(const PriorityHierarchy& hierarchy, const FaceSet& set,
                      const std::string& place) {
+  const std::size_t items = set.items.size();
+  check_choices(hierarchy, place);
   expect(hierarchy.groups.empty() == (items == 0), place,
          "has items but no groups, or the reverse");
   if (!hierarchy.pairs.empty()) check_table(hierarchy, place);
@@ -169,6 +208,7 @@ void check_hierarchy(const PriorityHierarchy& hierarchy, std::size_t items,
       expect(member.index < met.size(), at, "a member is out of range");
       expect(!met[member.index], at, "a member occurs twice");
       met[member.index] = true;
+      if (!member.is_group) check_item(set.items[member.index], member, group, at);
       if (member.is_group)
         open.push_back(member.index);
       else
@@ -194,7 +234,7 @@ void check_database(const Database& database) {
       expect(system.motion[k - 1].frame < system.motion[k].frame, place + ".motion",
              "frames must ascend");
     check_set(system.set, database.object_count, place + ".set");
-    check_hierarchy(system.hierarchy, system.set.items.size(), place + ".hierarchy");
+    check_hierarchy(system.hierarchy, system.set, place + ".hierarchy");
     expect(system.hierarchy.pairs.empty() || database.systems.size() == 1, place,
            "a table made by hand cannot order moving systems");
   }

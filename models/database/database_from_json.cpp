@@ -210,6 +210,25 @@ void read_pairs(const Node& list, PriorityHierarchy& hierarchy) {
   }
 }
 
+void read_choices(const Node& node, PriorityHierarchy& hierarchy) {
+  const Node list = node["choices"];
+  for (std::size_t c = 0; c < list.size(); ++c) {
+    const Node row = list.entry(c);
+    const std::size_t numbers = row.rows(1);
+    if (numbers < 4) row.fail("must hold a sphere and thresholds");
+    PreparedChoice& choice = hierarchy.choices.emplace_back();
+    choice.sphere = sphere(row, 0);
+    for (std::size_t i = 4; i < numbers; ++i) choice.thresholds.push_back(row.number(i));
+  }
+  const Node groups = node["choice_groups"];
+  for (std::size_t i = 0; i < groups.rows(2); ++i) {
+    const auto group = groups.whole<std::uint32_t>(2 * i);
+    if (group >= hierarchy.groups.size() || hierarchy.groups[group].choice != kNone)
+      groups.fail("entry " + std::to_string(2 * i) + " must name a group, each once");
+    hierarchy.groups[group].choice = groups.whole<std::uint32_t>(2 * i + 1);
+  }
+}
+
 PriorityHierarchy read_hierarchy(const Node& node) {
   PriorityHierarchy hierarchy;
   hierarchy.planes = planes(node);
@@ -224,15 +243,19 @@ PriorityHierarchy read_hierarchy(const Node& node) {
   const Node members = node["members"], spheres = node["spheres"];
   hierarchy.members.resize(members.rows(2));
   expect_rows(spheres, 4, hierarchy.members.size());
-  for (std::size_t i = 0; i < hierarchy.members.size(); ++i)
-    hierarchy.members[i] = {flag(members, 2 * i), members.whole<std::uint32_t>(2 * i + 1),
-                            sphere(spheres, 4 * i)};
+  for (std::size_t i = 0; i < hierarchy.members.size(); ++i) {
+    const auto kind = members.whole<std::uint32_t>(2 * i);
+    if (kind > 2) members.fail("entry " + std::to_string(2 * i) + " must be 0, 1 or 2");
+    hierarchy.members[i] = {kind == 1, members.whole<std::uint32_t>(2 * i + 1),
+                            sphere(spheres, 4 * i), kind == 2};
+  }
   const Node groups = node["groups"];
   hierarchy.groups.resize(groups.rows(4));
   for (std::size_t i = 0; i < hierarchy.groups.size(); ++i)
     hierarchy.groups[i] = {
         groups.whole<std::uint32_t>(4 * i), groups.whole<std::uint32_t>(4 * i + 1),
         groups.whole<std::uint32_t>(4 * i + 2), groups.whole<std::uint32_t>(4 * i + 3)};
+  if (node.has("choices")) read_choices(node, hierarchy);
   return hierarchy;
 }
 
@@ -279,6 +302,7 @@ PreparationReport read_report(const Node& node) {
   report.groups = count("groups");
   report.depth = count("depth");
   report.pairs = count("pairs");
+  if (node.has("choices")) report.choices = count("choices");
   report.seconds = node["seconds"].number();
   const Node notices = node["notices"];
   for (std::size_t i = 0; i < notices.size(); ++i) {

@@ -94,6 +94,22 @@ Json set_json(const FaceSet& set) {
   return out;
 }
 
+void put_choices(Json& out, const PriorityHierarchy& hierarchy) {
+  Json choices = Json::array(), groups = Json::array();
+  for (const PreparedChoice& choice : hierarchy.choices) {
+    Json row = sphere_json(choice.sphere);
+    for (const double threshold : choice.thresholds) row.push_back(threshold);
+    choices.push_back(std::move(row));
+  }
+  for (std::size_t g = 0; g < hierarchy.groups.size(); ++g) {
+    if (hierarchy.groups[g].choice == kNone) continue;
+    groups.push_back(g);
+    groups.push_back(hierarchy.groups[g].choice);
+  }
+  out["choices"] = std::move(choices);
+  out["choice_groups"] = std::move(groups);
+}
+
 Json hierarchy_json(const PriorityHierarchy& hierarchy) {
   Json out;
   put_planes(out, hierarchy.planes);
@@ -117,7 +133,7 @@ Json hierarchy_json(const PriorityHierarchy& hierarchy) {
   Json members = Json::array();
   Json spheres = Json::array();
   for (const Member& member : hierarchy.members) {
-    members.push_back(std::uint32_t{member.is_group});
+    members.push_back(std::uint32_t{member.placeholder ? 2u : member.is_group});
     members.push_back(member.index);
     append(spheres, member.sphere);
   }
@@ -131,6 +147,7 @@ Json hierarchy_json(const PriorityHierarchy& hierarchy) {
   out["spheres"] = std::move(spheres);
   out["groups"] = std::move(groups);
   if (!pairs.empty()) out["pairs"] = std::move(pairs);
+  if (!hierarchy.choices.empty()) put_choices(out, hierarchy);
   return out;
 }
 
@@ -167,6 +184,7 @@ Json report_to_json(const PreparationReport& report) {
   out["groups"] = report.groups;
   out["depth"] = report.depth;
   out["pairs"] = report.pairs;
+  if (report.choices > 0) out["choices"] = report.choices;
   out["seconds"] = report.seconds;
   Json notices = Json::array();
   for (const Notice& notice : report.notices)

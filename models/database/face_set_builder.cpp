@@ -28,6 +28,13 @@ std::uint32_t FaceSetBuilder::add(const std::vector<std::uint32_t>& work_items) 
   return static_cast<std::uint32_t>(out_.items.size() - 1);
 }
 
+void FaceSetBuilder::add_placeholder() {
+  Item item;
+  item.first_face = static_cast<std::uint32_t>(out_.faces.size());
+  item.first_vertex = static_cast<std::uint32_t>(out_.vertices.size());
+  out_.items.push_back(item);
+}
+
 void FaceSetBuilder::add_face(const WorkPolygon& polygon, std::uint32_t first_vertex) {
   std::uint32_t& plane = plane_of_[polygon.plane];
   if (plane == kNone) {

@@ -14,6 +14,8 @@ class FaceSetBuilder {
 
   /// Makes one item of working items whose order is the order of their priority; returns its index.
   std::uint32_t add(const std::vector<std::uint32_t>& work_items);
+  /// Makes an item without faces or vertices.
+  void add_placeholder();
 
  private:
   void add_face(const WorkPolygon& polygon, std::uint32_t first_vertex);

@@ -36,14 +36,21 @@ double grown(double radius, const Vec3& centre) {
 
 class Builder {
  public:
-  Builder(const Partition& partition, const FaceSet& set) : tree_(partition), set_(set) {}
+  Builder(const Partition& partition, const FaceSet& set)
+      : tree_(partition), set_(set), items_(items_of_leaves(partition)) {
+    next_placeholder_ = static_cast<std::uint32_t>(tree_.leaves.size() - tree_.choices.size());
+  }
 
   PriorityHierarchy run() {
     if (tree_.leaves.empty()) return {};
     mark_groups();
-    std::vector<std::int32_t> roots{tree_.nodes.empty() ? -1 : 0};
+    std::vector<std::int32_t> roots{tree_.root};
     // Breadth first: a group's subgroups get the next free numbers, in member order.
-    for (std::size_t at = 0; at < roots.size(); ++at) make_group(roots[at], roots);
+    for (std::size_t at = 0; at < roots.size(); ++at)
+      if (const ChoiceLeaf* choice = choice_at(roots[at]))
+        make_choice(*choice, roots);
+      else
+        make_group(roots[at], roots);
     out_.planes = tree_.planes;
     place_spheres();
     return std::move(out_);
@@ -54,6 +61,9 @@ class Builder {
   // one becomes a group and counts as one member from there on. Groups are at least half full so.
   void mark_groups() {
     is_group_.assign(tree_.nodes.size(), false);
+    for (const ChoiceLeaf& choice : tree_.choices)
+      for (const std::optional<std::int32_t>& root : choice.roots)
+        if (root && *root >= 0) is_group_[static_cast<std::size_t>(*root)] = true;
     std::vector<std::uint32_t> members(tree_.nodes.size(), 0);
     const auto weight = [&](std::int32_t child) {
       return child < 0 || is_group_[static_cast<std::size_t>(child)]
@@ -106,15 +116,41 @@ class Builder {
 
   void add_member(Group& group, const Open& at, std::vector<std::int32_t>& roots) {
     attach(group, at, ~static_cast<std::int32_t>(group.member_count++));
+    out_.members.push_back(member(at.child, roots));
+  }
+
+  Member member(std::int32_t child, std::vector<std::int32_t>& roots) const {
     Member member;
-    member.is_group = at.child >= 0;
+    member.is_group = child >= 0 || choice_at(child) != nullptr;
     if (member.is_group) {
       member.index = static_cast<std::uint32_t>(roots.size());
-      roots.push_back(at.child);
+      roots.push_back(child);
     } else {
-      member.index = static_cast<std::uint32_t>(~at.child);
+      member.index = items_[static_cast<std::size_t>(~child)];
     }
-    out_.members.push_back(member);
+    return member;
+  }
+
+  // A choice has its descriptions as members, and no planes.
+  void make_choice(const ChoiceLeaf& choice, std::vector<std::int32_t>& roots) {
+    Group group;
+    group.first_member = static_cast<std::uint32_t>(out_.members.size());
+    group.member_count = static_cast<std::uint32_t>(choice.roots.size());
+    group.first_node = static_cast<std::uint32_t>(out_.nodes.size());
+    group.choice = choice.choice;
+    for (const std::optional<std::int32_t>& root : choice.roots)
+      out_.members.push_back(root ? member(*root, roots)
+                                  : Member{false, next_placeholder_++, Sphere(), true});
+    out_.groups.push_back(group);
+  }
+
+  const ChoiceLeaf* choice_at(std::int32_t child) const {
+    if (child >= 0 || tree_.choices.empty()) return nullptr;
+    const auto leaf = static_cast<std::uint32_t>(~child);
+    const auto at =
+        std::lower_bound(tree_.choices.begin(), tree_.choices.end(), leaf,
+                         [](const ChoiceLeaf& c, std::uint32_t l) { return c.leaf < l; });
+    return at != tree_.choices.end() && at->leaf == leaf ? &*at : nullptr;
   }
 
   void attach(const Group& group, const Open& at, std::int32_t child) {
@@ -151,6 +187,8 @@ class Builder {
           std::vector<Sphere>& items = below[member.index];
           below[g].insert(below[g].end(), items.begin(), items.end());
           items = {};
+        } else if (member.placeholder) {
+          member.sphere = {};
         } else {
           member.sphere = set_.items[member.index].sphere;
           below[g].push_back(member.sphere);
@@ -162,11 +200,25 @@ class Builder {
 
   const Partition& tree_;
   const FaceSet& set_;
+  const std::vector<std::uint32_t> items_;  // by leaf
+  std::uint32_t next_placeholder_;
   std::vector<bool> is_group_;  // by node of the tree
   PriorityHierarchy out_;
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> items_of_leaves(const Partition& partition) {
+  std::vector<std::uint32_t> items;
+  std::uint32_t next = 0;
+  auto choice = partition.choices.begin();
+  for (std::uint32_t leaf = 0; leaf < partition.leaves.size(); ++leaf) {
+    const bool is_choice = choice != partition.choices.end() && choice->leaf == leaf;
+    items.push_back(is_choice ? kNone : next++);
+    if (is_choice) ++choice;
+  }
+  return items;
+}
 
 PriorityHierarchy build_hierarchy(const Partition& partition, const FaceSet& set) {
   return Builder(partition, set).run();
@@ -195,7 +247,8 @@ std::uint64_t pair_count(const PriorityHierarchy& hierarchy) {
   if (!hierarchy.pairs.empty()) return hierarchy.pairs.size();
   std::uint64_t pairs = 0;
   for (const Group& group : hierarchy.groups)
-    pairs += std::uint64_t{group.member_count} * (group.member_count - 1) / 2;
+    if (group.choice == kNone)
+      pairs += std::uint64_t{group.member_count} * (group.member_count - 1) / 2;
   return pairs;
 }
 
@@ -206,6 +259,10 @@ std::uint64_t depth(const PriorityHierarchy& hierarchy) {
   std::vector<std::uint64_t> node_depth;
   for (std::size_t g = 0; g < hierarchy.groups.size(); ++g) {
     const Group& group = hierarchy.groups[g];
+    if (group.node_count == 0)
+      for (std::uint32_t m = 0; m < group.member_count; ++m)
+        if (const Member& member = hierarchy.members[group.first_member + m]; member.is_group)
+          group_depth[member.index] = group_depth[g];
     node_depth.assign(group.node_count, group_depth[g] + 1);
     for (std::uint32_t n = 0; n < group.node_count; ++n) {
       const SeparationNode& node = hierarchy.nodes[group.first_node + n];

@@ -9,9 +9,15 @@
 
 namespace cigsim {
 
-/// Leaf k of the tree is item k of the set. Groups are cut from the
-/// tree from its leaves, each at least half full but the root.
+/// Groups are cut from the tree from its leaves, each at least half full but the root and those of
+/// choices and their descriptions. Leaves without a choice are the items of the set, in their
+/// order; the set's further items are placeholders, one a description that has nothing in a
+/// choice's leaf. Group::choice is ChoiceLeaf::choice; PriorityHierarchy::choices is left to the
+/// caller.
 PriorityHierarchy build_hierarchy(const Partition& partition, const FaceSet& set);
+
+/// The item of each leaf; kNone: a choice stands there.
+std::vector<std::uint32_t> items_of_leaves(const Partition& partition);
 
 /// A sphere around spheres, grown to cover rounding.
 Sphere enclosing(const std::vector<Sphere>& spheres);

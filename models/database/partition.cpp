@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "models/database/detail/hindrance.hpp"
 #include "models/database/separation.hpp"
 #include "models/database/sweep.hpp"
 #include "models/environment/random.hpp"
@@ -44,8 +45,10 @@ struct Candidate {
 
 // Where a subtree hangs.
 struct Slot {
-  std::int32_t node = -1;  // -1: the root
+  std::int32_t node = -1;  // -1: the root, or below a choice
   bool true_side = false;
+  std::int32_t choice = -1;  // leaf of a choice, and which description
+  std::size_t description = 0;
 };
 
 struct Task {
@@ -55,12 +58,11 @@ struct Task {
 
 class Partitioner {
  public:
-  Partitioner(WorkSet& set, const std::function<void(std::uint64_t, std::uint64_t)>& progress)
-      : set_(set), progress_(progress), random_(set.items.size()) {}
+  Partitioner(WorkSet& set, Composites& composites,
+              const std::function<void(std::uint64_t, std::uint64_t)>& progress)
+      : set_(set), composites_(composites), progress_(progress), random_(set.items.size()) {}
 
-  Partition run() {
-    ItemList all(set_.items.size());
-    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  Partition run(ItemList all) {
     total_ = all.size();
     if (!all.empty()) tasks_.push_back({std::move(all), {}});
     while (!tasks_.empty()) {
@@ -81,13 +83,22 @@ class Partitioner {
     if (sweep.starts.size() > 1)
       split_by_sweep(sweep, task.slot);
     else if (const auto candidate = choose(task.items))
-      split(*candidate, task);
+      split_or_give_up(*candidate, std::move(task));
+    else if (const auto composite = first_composite(task.items))
+      give_up({*composite}, std::move(task));
     else
       explode_or_sheet(std::move(task));
   }
 
   void attach(Slot slot, std::int32_t child) {
-    if (slot.node < 0) return;
+    if (slot.choice >= 0) {
+      result_.choices[static_cast<std::size_t>(slot.choice)].roots[slot.description] = child;
+      return;
+    }
+    if (slot.node < 0) {
+      result_.root = child;
+      return;
+    }
     PartitionNode& node = result_.nodes[static_cast<std::size_t>(slot.node)];
     (slot.true_side ? node.true_child : node.false_child) = child;
   }
@@ -101,12 +112,32 @@ class Partitioner {
   }
 
   void leaf(ItemList items, Slot slot) {
+    if (const Composite* composite = composites_.find(items.front())) {
+      choice_leaf(Composite(*composite), slot);  // it stands alone
+      return;
+    }
     std::sort(items.begin(), items.end(),
               [&](std::uint32_t a, std::uint32_t b) { return order_of(a) < order_of(b); });
     done_ += items.size();
     attach(slot, ~static_cast<std::int32_t>(result_.leaves.size()));
     result_.leaves.push_back(std::move(items));
     if (progress_) progress_(done_, total_);
+  }
+
+  void choice_leaf(Composite composite, Slot slot) {
+    ++done_;
+    const auto leaf = static_cast<std::uint32_t>(result_.leaves.size());
+    attach(slot, ~static_cast<std::int32_t>(leaf));
+    result_.leaves.emplace_back();
+    const auto place = static_cast<std::int32_t>(result_.choices.size());
+    const std::size_t descriptions = composite.descriptions.size();
+    result_.choices.push_back({leaf, composite.choice, {}});
+    result_.choices.back().roots.resize(descriptions);
+    for (std::size_t d = 0; d < descriptions; ++d) {
+      if (composite.descriptions[d].empty()) continue;
+      total_ += composite.descriptions[d].size();
+      tasks_.push_back({std::move(composite.descriptions[d]), {-1, false, place, d}});
+    }
   }
 
   std::uint32_t order_of(std::uint32_t item) const {
@@ -160,7 +191,7 @@ class Partitioner {
           ++c.counts.flat;
           break;
         default:
-          ++c.counts.cut;
+          c.counts.cut += cut_weight(i);
       }
       if (best && best->free() && c.counts.cut > 0 && accepts_free(*best, items.size()))
         return std::nullopt;
@@ -173,6 +204,12 @@ class Partitioner {
         face_plane != WorkSet::kNothing ? sides > 1 : n.positive > 0 && n.negative > 0;
     if (!progress) return std::nullopt;
     return c;
+  }
+
+  // A choice that is cut stands twice with all of its descriptions.
+  std::uint64_t cut_weight(std::uint32_t item) const {
+    const Composite* composite = composites_.find(item);
+    return composite == nullptr ? 1 : 2 + composite->descriptions.size();
   }
 
   bool accepts_free(const Candidate& c, std::size_t size) const {
@@ -275,13 +312,8 @@ class Partitioner {
         case 0:
           flat.push_back(i);
           break;
-        default: {
-          const auto [p, n] = set_.cut(chosen.plane, i);
-          positive.push_back(p);
-          negative.push_back(n);
-          ++result_.cuts;
-          ++total_;
-        }
+        default:
+          cut(chosen.plane, i, positive, negative);
       }
     }
     if (!flat.empty()) {
@@ -311,10 +343,60 @@ class Partitioner {
     }
   }
 
+  void cut(const Plane& plane, std::uint32_t item, ItemList& positive, ItemList& negative) {
+    ++total_;
+    if (composites_.find(item) == nullptr) {
+      const auto [p, n] = set_.cut(plane, item);
+      positive.push_back(p);
+      negative.push_back(n);
+      ++result_.cuts;
+      return;
+    }
+    const Composites::Cut made = composites_.cut(set_, plane, item);
+    if (made.items[0] != WorkSet::kNothing) positive.push_back(made.items[0]);
+    if (made.items[1] != WorkSet::kNothing) negative.push_back(made.items[1]);
+    result_.cuts += made.cuts;
+    result_.tolerated += made.tolerated;
+  }
+
+  std::optional<std::uint32_t> first_composite(const ItemList& items) const {
+    for (const std::uint32_t i : items)
+      if (composites_.find(i) != nullptr) return i;
+    return std::nullopt;
+  }
+
+  void split_or_give_up(const Candidate& chosen, Task task) {
+    ItemList hindered;
+    if (first_composite(task.items))
+      hindered = hindered_by(set_, composites_, chosen.plane, chosen.face_plane, task.items);
+    if (hindered.empty())
+      split(chosen, task);
+    else
+      give_up(hindered, std::move(task));
+  }
+
+  // The task again, with the most detailed descriptions in the place of these composites.
+  void give_up(const ItemList& composites, Task task) {
+    for (const std::uint32_t item : composites) replace_by_most_detailed(item, task.items);
+    if (!task.items.empty()) tasks_.push_back(std::move(task));
+  }
+
+  void replace_by_most_detailed(std::uint32_t item, ItemList& items) {
+    const Composite composite = *composites_.find(item);
+    const ItemList& parts = composite.descriptions.back();
+    items.erase(std::find(items.begin(), items.end(), item));
+    items.insert(items.end(), parts.begin(), parts.end());
+    total_ += parts.size();
+    --total_;
+    result_.given_up.push_back(composite.choice);
+  }
+
   // Beside polygons in the plane, faces of other items in the plane that are seen from the same
-  // side belong to the same sheet: only their fixed order decides where they overlap.
+  // side belong to the same sheet: only their fixed order decides where they overlap. Composites
+  // have none there that meet them.
   void detach_coplanar(const Plane& plane, unsigned sides, ItemList& items, ItemList& flat) {
     for (std::uint32_t& i : items) {
+      if (composites_.find(i) != nullptr) continue;
       const auto [rest, coplanar] = set_.detach(plane, i, sides);
       if (coplanar == WorkSet::kNothing) continue;
       i = rest;
@@ -326,10 +408,16 @@ class Partitioner {
   // Coplanar polygons: a sheet in their fixed order, after gaps between them have been used.
   void sheet(ItemList items, Slot slot) {
     const Sweep sweep = best_sweep(set_, items);
-    if (sweep.starts.size() > 1)
+    if (sweep.starts.size() > 1) {
       split_by_sweep(sweep, slot);
-    else
-      leaf(std::move(items), slot);
+      return;
+    }
+    while (items.size() > 1) {
+      const auto composite = first_composite(items);
+      if (!composite) break;
+      replace_by_most_detailed(*composite, items);
+    }
+    leaf(std::move(items), slot);
   }
 
   // No plane parts the set: a body within another, say, or polygons all in one plane.
@@ -350,6 +438,7 @@ class Partitioner {
   }
 
   WorkSet& set_;
+  Composites& composites_;
   const std::function<void(std::uint64_t, std::uint64_t)>& progress_;
   Random random_;  // the sampling is the same on every machine
   Partition result_;
@@ -362,7 +451,15 @@ class Partitioner {
 
 Partition partition(WorkSet& set,
                     const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
-  return Partitioner(set, progress).run();
+  Composites none;
+  ItemList all(set.items.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  return Partitioner(set, none, progress).run(std::move(all));
+}
+
+Partition partition(WorkSet& set, Composites& composites, std::vector<std::uint32_t> items,
+                    const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+  return Partitioner(set, composites, progress).run(std::move(items));
 }
 
 }  // namespace cigsim

@@ -6,12 +6,14 @@
 #include <limits>
 #include <span>
 
+#include "models/database/detail/detail_partition.hpp"
 #include "models/database/face_set_builder.hpp"
 #include "models/database/hierarchy.hpp"
 #include "models/database/partition.hpp"
 #include "models/database/separation_table.hpp"
 #include "models/database/shade.hpp"
 #include "models/database/surface.hpp"
+#include "models/environment/detail.hpp"
 #include "models/environment/input_error.hpp"
 #include "models/environment/placement.hpp"
 
@@ -95,6 +97,47 @@ Partition whole_items(const WorkSet& work) {
   return out;
 }
 
+// The items of every object that belongs to a system.
+std::vector<ItemRange> add_objects(Preparation& p, std::uint32_t system, WorkSet& work) {
+  std::vector<ItemRange> ranges(p.environment.objects.size());
+  std::uint32_t order = 0;
+  for (std::uint32_t o = 0; o < ranges.size(); ++o) {
+    const std::uint32_t of = p.environment.models[p.environment.objects[o].model].system;
+    ranges[o].first = static_cast<std::uint32_t>(work.items.size());
+    if (of == system || (system == 0 && stands_still(p.environment.systems[of])))
+      add_object(p, work, o, order);
+    ranges[o].end = static_cast<std::uint32_t>(work.items.size());
+  }
+  return ranges;
+}
+
+// An item a leaf, then the placeholders of descriptions that have nothing where a choice stands.
+void build_set(Preparation& p, const DetailPartition& divided, FaceSet& out) {
+  FaceSetBuilder builder(divided.work, out);
+  const std::vector<std::uint32_t> items = items_of_leaves(divided.tree);
+  for (std::size_t leaf = 0; leaf < items.size(); ++leaf) {
+    if (items[leaf] == kNone) continue;
+    p.report.pieces += divided.tree.leaves[leaf].size();
+    builder.add(divided.tree.leaves[leaf]);
+  }
+  for (const ChoiceLeaf& choice : divided.tree.choices)
+    for (const std::optional<std::int32_t>& root : choice.roots)
+      if (!root) builder.add_placeholder();
+}
+
+void add_figures(Preparation& p, const PreparedSystem& system, const Partition& tree) {
+  p.notices.add("overlap within the contact tolerance: not cut", tree.tolerated);
+  p.report.cuts += tree.cuts;
+  for (const Item& item : system.set.items) p.report.items += item.face_count > 0;
+  p.report.faces += system.set.faces.size();
+  p.report.vertices += system.set.vertices.size();
+  p.report.planes += system.hierarchy.planes.size();
+  p.report.groups += system.hierarchy.groups.size();
+  p.report.depth = std::max(p.report.depth, depth(system.hierarchy));
+  p.report.pairs += pair_count(system.hierarchy);
+  p.report.choices += system.hierarchy.choices.size();
+}
+
 PreparedSystem prepare_system(Preparation& p, std::uint32_t system,
                               const std::function<void(double)>& progress) {
   const CoordinateSystem& source = p.environment.systems[system];
@@ -102,39 +145,34 @@ PreparedSystem prepare_system(Preparation& p, std::uint32_t system,
   out.name = source.name;
   out.placement = source.placement;
   out.motion = source.motion;
-  WorkSet work;
+  DetailPartition divided;
+  WorkSet& work = divided.work;
   work.contact_tolerance = p.contact_tolerance;
-  std::uint32_t order = 0;
-  for (std::uint32_t o = 0; o < p.environment.objects.size(); ++o) {
-    const std::uint32_t of = p.environment.models[p.environment.objects[o].model].system;
-    if (of == system || (system == 0 && stands_still(p.environment.systems[of])))
-      add_object(p, work, o, order);
-  }
+  const std::vector<ItemRange> objects = add_objects(p, system, work);
+  const auto show = [&](std::uint64_t done, std::uint64_t all) {
+    if (progress && done % 256 == 0) progress(static_cast<double>(done) / static_cast<double>(all));
+  };
   const bool by_hand = !p.environment.separation.empty();
-  const Partition tree =
-      by_hand ? whole_items(work) : partition(work, [&](std::uint64_t done, std::uint64_t all) {
-        if (progress && done % 256 == 0) progress(static_cast<double>(done) / all);
-      });
-  FaceSetBuilder builder(work, out.set);
-  for (const std::vector<std::uint32_t>& leaf : tree.leaves) {
-    p.report.pieces += leaf.size();
-    builder.add(leaf);
-  }
+  if (by_hand)
+    divided.tree = whole_items(work);
+  else if (p.environment.choices.empty())
+    divided.tree = partition(work, show);
+  else
+    divided = partition_with_choices(p.environment, work, objects, show);
+  build_set(p, divided, out.set);
   out.hierarchy = by_hand ? table_hierarchy(p.environment, work, out.set, p.file)
-                          : build_hierarchy(tree, out.set);
+                          : build_hierarchy(divided.tree, out.set);
+  take_choices(divided.choices, out.hierarchy);
   std::vector<Sphere> spheres;
-  for (const Item& item : out.set.items) spheres.push_back(item.sphere);
+  for (const Item& item : out.set.items)
+    if (item.face_count > 0) spheres.push_back(item.sphere);
   if (!spheres.empty()) out.sphere = enclosing(spheres);
-
-  p.notices.add("overlap within the contact tolerance: not cut", tree.tolerated);
-  p.report.cuts += tree.cuts;
-  p.report.items += out.set.items.size();
-  p.report.faces += out.set.faces.size();
-  p.report.vertices += out.set.vertices.size();
-  p.report.planes += out.hierarchy.planes.size();
-  p.report.groups += out.hierarchy.groups.size();
-  p.report.depth = std::max(p.report.depth, depth(out.hierarchy));
-  p.report.pairs += pair_count(out.hierarchy);
+  add_figures(p, out, divided.tree);
+  p.notices.add(
+      "choice that cannot be parted from other objects: its most detailed description stands",
+      divided.given_up);
+  p.notices.add("choice left out: its most detailed description has no face",
+                divided.without_detail);
   return out;
 }
 
@@ -210,6 +248,12 @@ DefaultView sensible_view(const Database& database) {
 }  // namespace
 
 Database prepare(const Environment& environment, const PrepareOptions& options) {
+  if (options.most_detailed && !environment.choices.empty()) {
+    PrepareOptions plain = options;
+    plain.most_detailed = false;
+    return prepare(most_detailed(environment), plain);
+  }
+  check_choices(environment);
   const auto start = std::chrono::steady_clock::now();
   const std::optional<Sun> sun = options.sun ? options.sun : environment.sun;
   Preparation p{environment,

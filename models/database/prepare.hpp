@@ -19,6 +19,9 @@ struct PrepareOptions {
   /// it; within such an overlap the order of the two is not defined. The default covers coordinates
   /// with six decimals at a thousand units. 0 cuts every overlap.
   double contact_tolerance = 0x1p-28;
+  /// Keeps of every choice the most detailed description alone: the database is that of the scene
+  /// without levels of detail.
+  bool most_detailed = false;
   /// What messages call the scene.
   std::string file = "the scene";
   /// Called now and then with a share of the work in 0..1.
@@ -26,7 +29,8 @@ struct PrepareOptions {
 };
 
 /// Whatever cannot be used is dropped and counted in the report. Throws InputError only for a
-/// separation table made by hand that does not fit its objects.
+/// separation table made by hand that does not fit its objects, and std::invalid_argument for what
+/// check_choices() refuses.
 Database prepare(const Environment& environment, const PrepareOptions& options = {});
 
 }  // namespace cigsim

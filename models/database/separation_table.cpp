@@ -102,6 +102,10 @@ void check_table(const Environment& environment, const std::string& file) {
         fail(file, plane_name(p) +
                        " names an object that is not there; objects are numbered from " + "1 to " +
                        std::to_string(objects));
+  if (!environment.choices.empty())
+    fail(file, "choice \"" + environment.choices.front().name +
+                   "\" has several descriptions, which a separation table cannot order; remove one "
+                   "of the two");
   for (const CoordinateSystem& system : environment.systems)
     if (!system.motion.empty())
       fail(file, "system \"" + system.name +

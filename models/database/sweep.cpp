@@ -60,7 +60,9 @@ Sweep best_sweep(const WorkSet& set, const std::vector<std::uint32_t>& items) {
       const WorkItem& item = set.items[items[i]];
       const double low = item.low[axis], high = item.high[axis];
       const double overlap = set.contact_tolerance_of(item, high - low) / 2;
-      extents[i] = {low, high, low + overlap, high - overlap, items[i], is_flat(low, high)};
+      extents[i] = {low,           high,
+                    low + overlap, high - overlap,
+                    items[i],      item.flat_parts || is_flat(low, high)};
     }
     std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
       if (a.inner_low != b.inner_low) return a.inner_low < b.inner_low;

@@ -11,11 +11,19 @@ std::vector<std::uint32_t> ranks_from(const PriorityHierarchy& hierarchy, std::s
   };
   std::vector<std::uint32_t> ranks(item_count, 0);
   if (hierarchy.groups.empty()) return ranks;
-  const auto root = [&](std::uint32_t group) {
-    return Place{group, hierarchy.groups[group].node_count > 0 ? 0 : -1};
-  };
   std::uint32_t next = 0;
-  std::vector<Place> stack{root(0)};
+  std::vector<Place> stack;
+  const auto push_root = [&](std::uint32_t group) {
+    const Group& g = hierarchy.groups[group];
+    if (g.choice == kNone) {
+      stack.push_back({group, g.node_count > 0 ? 0 : -1});
+      return;
+    }
+    // Descriptions are never active together; any order will do.
+    for (std::uint32_t m = 0; m < g.member_count; ++m)
+      stack.push_back({group, ~static_cast<std::int32_t>(m)});
+  };
+  push_root(0);
   while (!stack.empty()) {
     const auto [g, child] = stack.back();
     stack.pop_back();
@@ -23,7 +31,7 @@ std::vector<std::uint32_t> ranks_from(const PriorityHierarchy& hierarchy, std::s
     if (child < 0) {
       const Member& m = hierarchy.members[group.first_member + static_cast<std::uint32_t>(~child)];
       if (m.is_group)
-        stack.push_back(root(m.index));
+        push_root(m.index);
       else
         ranks[m.index] = next++;
       continue;
@@ -40,7 +48,7 @@ std::vector<std::uint32_t> ranks_from(const PriorityHierarchy& hierarchy, std::s
 std::vector<std::uint32_t> leaves_from(const Partition& partition, const Vec3& eye) {
   std::vector<std::uint32_t> order;
   if (partition.leaves.empty()) return order;
-  std::vector<std::int32_t> stack{partition.nodes.empty() ? -1 : 0};
+  std::vector<std::int32_t> stack{partition.root};
   while (!stack.empty()) {
     const std::int32_t child = stack.back();
     stack.pop_back();

@@ -65,6 +65,10 @@ double WorkSet::contact_tolerance_of(const WorkItem& item, double depth) const {
   return std::min(contact_tolerance * largest, 0x1p-16 * depth);
 }
 
+bool WorkSet::reaches(const Plane& plane, const WorkItem& item) const {
+  return box_side(plane, item) == 0;
+}
+
 int WorkSet::classify(const Plane& plane, const WorkItem& item, std::uint32_t face_plane,
                       bool* tolerated) const {
   if (tolerated) *tolerated = false;

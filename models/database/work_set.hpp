@@ -32,6 +32,8 @@ struct WorkPolygon {
 struct WorkItem {
   std::uint32_t first_polygon = 0, polygon_count = 0;
   std::array<double, 3> low{}, high{};  ///< contains every vertex, exactly
+  /// Of a composite (detail/composite.hpp): polygons are among its parts by themselves.
+  bool flat_parts = false;
 };
 
 class WorkSet {
@@ -82,6 +84,9 @@ class WorkSet {
   /// is a face's: the corners of that face need no test.
   int classify(const Plane& plane, const WorkItem& item, std::uint32_t face_plane = kNothing,
                bool* tolerated = nullptr) const;
+
+  /// False when the item's box shows that none of its points lies in the plane.
+  bool reaches(const Plane& plane, const WorkItem& item) const;
 
   /// Adds the two parts of an item that lies across the plane; returns {positive, negative}.
   std::array<std::uint32_t, 2> cut(const Plane& plane, std::uint32_t item);

@@ -35,12 +35,34 @@ struct Face {
   friend bool operator==(const Face&, const Face&) = default;
 };
 
+/// One of the descriptions of a choice.
+struct DescriptionRef {
+  std::uint32_t choice = 0;       ///< index into Environment::choices
+  std::uint32_t description = 0;  ///< from 0, the least detailed
+  friend bool operator==(const DescriptionRef&, const DescriptionRef&) = default;
+};
+
+/// A thing that is described several times, from the least to the most detailed: objects and
+/// further choices refer to the description that they belong to, and one description is shown at a
+/// time (Levine 1975, ch. II.G: the choose-one level of his COCA tree; a description's members are
+/// the consider-all level below it).
+struct Choice {
+  std::string name;
+  std::uint32_t model = 0;               ///< index into Environment::models
+  std::optional<DescriptionRef> within;  ///< none: it stands in its model itself
+  /// Of each description but the most detailed one: the largest projected radius of the choice's
+  /// sphere, in elements, at which it is shown. Above 0, ascending strictly.
+  std::vector<double> thresholds;
+  friend bool operator==(const Choice&, const Choice&) = default;
+};
+
 /// A body or surface. Its number is its place in Environment::objects, from 1.
 struct Object {
   std::string name;
   std::uint32_t model = 0;  ///< index into Environment::models
   std::vector<Vec3> vertices;
   std::vector<Face> faces;
+  std::optional<DescriptionRef> within = {};  ///< none: it is always shown
   friend bool operator==(const Object&, const Object&) = default;
 };
 
@@ -111,6 +133,7 @@ struct Environment {
   std::vector<CoordinateSystem> systems{CoordinateSystem{"environment", {}, {}}};
   std::vector<Model> models;
   std::vector<Object> objects;
+  std::vector<Choice> choices;  ///< each after the one that it stands in
   std::vector<GroundFace> ground;
   Colour background{112, 160, 208};
   std::optional<DefaultView> view;

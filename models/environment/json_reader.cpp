@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "models/environment/detail.hpp"
 #include "models/environment/document_value.hpp"
 #include "models/environment/read.hpp"
 #include "models/environment/text_file.hpp"
@@ -267,7 +268,7 @@ class SceneReader {
     environment_.models.push_back(std::move(model));
     const std::size_t number = environment_.models.size() - 1;
     if (const auto v = members.find("objects"))
-      v->for_each_element("objects", [&](const Value& o) { read_object(o, number); });
+      v->for_each_element("objects", [&](const Value& o) { read_entry(o, number, std::nullopt); });
   }
 
   /// Objects of the top that name no model belong to a nameless model of system 0.
@@ -282,23 +283,96 @@ class SceneReader {
         nameless = environment_.models.size();
         environment_.models.push_back({});
       }
-      read_object(v, names_model ? std::nullopt : nameless);
+      read_entry(v, names_model ? std::nullopt : nameless, std::nullopt);
     });
   }
 
-  void read_object(const Value& value, std::optional<std::size_t> model) {
+  /// A list of objects may hold choices too.
+  void read_entry(const Value& value, std::optional<std::size_t> model,
+                  const std::optional<DescriptionRef>& within) {
+    bool choice = false;
+    value.for_each_member("an object", [&](const std::string& key, const Value&, const Value&) {
+      choice = choice || key == "descriptions";
+    });
+    choice ? read_choice(value, model, within) : read_object(value, model, within);
+  }
+
+  /// The model given, or the one that the entry names.
+  std::uint32_t model_of(const Members& members, std::optional<std::size_t> model) {
+    if (model) return static_cast<std::uint32_t>(*model);
+    const Value v = members.get("model");
+    const auto number = static_cast<std::uint32_t>(v.whole("a model's number", kMost));
+    model_references_.push_back({v, number});
+    return number;
+  }
+
+  void read_choice(const Value& value, std::optional<std::size_t> model,
+                   const std::optional<DescriptionRef>& within) {
+    const Members members = model ? Members(value, "a choice", {"name", "descriptions"})
+                                  : Members(value, "a choice", {"name", "model", "descriptions"});
+    const auto number = static_cast<std::uint32_t>(environment_.choices.size());
+    if (++choices_open_ > kDeepestChoice)
+      value.fail("choices stand more than " + std::to_string(kDeepestChoice) +
+                 " deep within one another; make fewer levels");
+    Choice& choice = environment_.choices.emplace_back();
+    if (const auto v = members.find("name")) choice.name = v->text("a name");
+    choice.model = model_of(members, model);
+    choice.within = within;
+    const std::size_t in_model = choice.model;
+    const Value list = members.get("descriptions");
+    list.require(Kind::array, "descriptions");
+    const std::size_t count = list.count();
+    if (count == 0 || count > kMostDescriptions)
+      list.fail("a choice has 1 to " + std::to_string(kMostDescriptions) + " descriptions, not " +
+                std::to_string(count));
+    std::uint32_t description = 0;
+    list.for_each_element("descriptions", [&](const Value& v) {
+      read_description(v, {number, description}, description + 1 == count, in_model);
+      ++description;
+    });
+    --choices_open_;
+  }
+
+  void read_description(const Value& value, const DescriptionRef& at, bool last,
+                        std::size_t model) {
+    const Members members(value, "a description", {"up_to", "objects"});
+    const auto up_to = members.find("up_to");
+    if (last && up_to)
+      up_to->fail(
+          "the last description is the most detailed one and has no \"up_to\"; remove it, or add a "
+          "description");
+    if (!last) add_threshold(up_to, value, environment_.choices[at.choice].thresholds);
+    const std::size_t before = environment_.objects.size();
+    members.get("objects").for_each_element("objects",
+                                            [&](const Value& o) { read_entry(o, model, at); });
+    if (last && environment_.objects.size() == before)
+      value.fail("the most detailed description holds no object; give it one");
+  }
+
+  /// `value` is the description, for what a missing threshold would be.
+  static void add_threshold(const std::optional<Value>& up_to, const Value& value,
+                            std::vector<double>& thresholds) {
+    const double before = thresholds.empty() ? 0 : thresholds.back();
+    const double threshold = up_to                ? up_to->number("up_to")
+                             : thresholds.empty() ? kFirstThreshold
+                                                  : kThresholdStep * before;
+    if (!std::isfinite(threshold)) value.fail("the default of \"up_to\" is too large; state it");
+    if (!(threshold > before))
+      up_to->fail(std::string("up_to must be above ") +
+                  (thresholds.empty() ? "0" : "that of the description before") +
+                  "; descriptions go from the least detailed to the most detailed");
+    thresholds.push_back(threshold);
+  }
+
+  void read_object(const Value& value, std::optional<std::size_t> model,
+                   const std::optional<DescriptionRef>& within) {
     const Members members =
         model ? Members(value, "an object", {"name", "colour", "vertices", "faces"})
               : Members(value, "an object", {"name", "model", "colour", "vertices", "faces"});
     Object object;
     if (const auto v = members.find("name")) object.name = v->text("a name");
-    if (model) {
-      object.model = static_cast<std::uint32_t>(*model);
-    } else {
-      const Value v = members.get("model");
-      object.model = static_cast<std::uint32_t>(v.whole("a model's number", kMost));
-      model_references_.push_back({v, object.model});
-    }
+    object.model = model_of(members, model);
+    object.within = within;
     std::optional<Colour> colour;
     if (const auto v = members.find("colour")) colour = read_colour(*v, "a colour");
     const Value vertices = members.get("vertices");
@@ -352,6 +426,7 @@ class SceneReader {
   std::vector<Reference> system_references_, model_references_;
   std::vector<PlacedPair> pairs_;
   std::uint64_t empty_objects_ = 0;
+  std::size_t choices_open_ = 0;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string>
 
+#include "models/environment/detail.hpp"
 #include "models/environment/placement.hpp"
 #include "models/environment/scene_writers.hpp"
 
@@ -48,6 +49,10 @@ void write_obj(const Environment& environment, std::ostream& out) {
     const bool stays = placement == Placement{};
     const Placing place(placement);
     text.assign("o ").append(one_line(object.name)).append("\n");
+    if (!is_most_detailed(environment, object)) {
+      out << text;
+      continue;
+    }
     for (const Vec3& v : object.vertices) {
       const Vec3 p = stays ? v : place(v);
       text += 'v';

@@ -4,6 +4,8 @@
 #include <string>
 #include <tuple>
 
+#include "models/environment/detail.hpp"
+#include "models/environment/scene_entries.hpp"
 #include "models/environment/scene_writers.hpp"
 
 namespace cigsim {
@@ -49,6 +51,7 @@ class SceneWriter {
       if (o.model >= environment_.models.size())
         throw std::invalid_argument("object \"" + o.name + "\" names model " +
                                     std::to_string(o.model) + ", which is not there");
+    check_choices(environment_);
   }
 
   /// True when systems, models and objects stand in one order, so that each can hold the next.
@@ -174,32 +177,63 @@ class SceneWriter {
         std::partition_point(all.begin(), all.end(), [&](auto& o) { return o.model < model; });
     const auto last =
         std::partition_point(first, all.end(), [&](auto& o) { return o.model == model; });
-    out_.key("objects");
-    out_.begin_array(static_cast<std::uint64_t>(last - first), Layout::lines);
-    for (auto o = first; o != last; ++o) object(*o);
-    out_.end();
+    entries(scene_entries(environment_, static_cast<std::size_t>(first - all.begin()),
+                          static_cast<std::size_t>(last - all.begin())),
+            true);
   }
 
   void all_objects() {
+    entries(scene_entries(environment_, 0, environment_.objects.size()), nested_);
+  }
+
+  /// `known_model`: the entries stand within their model, or within a choice that names it.
+  void entries(const std::vector<SceneEntry>& list, bool known_model) {
     out_.key("objects");
-    out_.begin_array(environment_.objects.size(), Layout::lines);
-    for (const Object& o : environment_.objects) object(o);
+    out_.begin_array(list.size(), Layout::lines);
+    for (const SceneEntry& entry : list)
+      if (entry.is_choice)
+        choice(entry, known_model);
+      else
+        object(environment_.objects[entry.index], known_model);
     out_.end();
   }
 
-  void object(const Object& object) {
+  void choice(const SceneEntry& entry, bool known_model) {
+    const Choice& choice = environment_.choices[entry.index];
+    out_.begin_object(2 + !known_model, Layout::lines);
+    name_and_model(choice.name, choice.model, known_model);
+    out_.key("descriptions");
+    out_.begin_array(entry.descriptions.size(), Layout::lines);
+    for (std::size_t d = 0; d < entry.descriptions.size(); ++d) {
+      const bool last = d == choice.thresholds.size();
+      out_.begin_object(1 + !last, Layout::lines);
+      if (!last) {
+        out_.key("up_to");
+        out_.number(choice.thresholds[d]);
+      }
+      entries(entry.descriptions[d], true);
+      out_.end();
+    }
+    out_.end();
+    out_.end();
+  }
+
+  void name_and_model(const std::string& name, std::uint32_t model, bool known_model) {
+    out_.key("name");
+    out_.text(name);
+    if (known_model) return;
+    out_.key("model");
+    out_.whole(model);
+  }
+
+  void object(const Object& object, bool known_model) {
     const auto& faces = object.faces;
     const bool one_colour = std::all_of(faces.begin(), faces.end(), [&](const Face& f) {
       return f.colour == faces.front().colour;
     });
     const bool object_colour = one_colour && !faces.empty() && faces.front().colour;
-    out_.begin_object(3 + !nested_ + object_colour, Layout::lines);
-    out_.key("name");
-    out_.text(object.name);
-    if (!nested_) {
-      out_.key("model");
-      out_.whole(object.model);
-    }
+    out_.begin_object(3 + !known_model + object_colour, Layout::lines);
+    name_and_model(object.name, object.model, known_model);
     if (object_colour) {
       out_.key("colour");
       colour(*faces.front().colour);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "models/environment/placement.hpp"
+#include "models/frame_calculator/detail.hpp"
 #include "models/frame_calculator/moving.hpp"
 #include "models/frame_calculator/retrieval.hpp"
 
@@ -43,8 +44,11 @@ void Functional::compute(const Viewpoint& viewpoint, const Raster& raster, doubl
                          ActiveEnvironment& out, FaceSet& moving) const {
   out.view = view_transform(viewpoint, raster);
   ForcedMembers forced;
-  place_moving_models(database_, out.view.eye, frame, out.moving, moving, forced);
-  retrieve(database_.systems[0].hierarchy, out.view, forced, out.groups);
+  out.detail.clear();
+  Choices choices(database_.systems[0].hierarchy, out.view, detail_);
+  place_moving_models(database_, frame, detail_, choices, out, moving, forced);
+  retrieve(database_.systems[0].hierarchy, out.view, forced, choices, out.groups);
+  choices.count(out.detail);
 }
 
 }  // namespace cigsim::frame_calculator

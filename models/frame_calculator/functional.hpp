@@ -20,13 +20,16 @@ Placement placement_at(const PreparedSystem& system, double frame);
 /// doubles once) and cut where a static plane passes through them.
 class Functional {
  public:
-  explicit Functional(const Database& database) : database_(database) {}
+  /// `detail`: what the thresholds of levels of detail are multiplied by (description_shown()).
+  explicit Functional(const Database& database, double detail = 1)
+      : database_(database), detail_(detail) {}
 
   void compute(const Viewpoint& viewpoint, const Raster& raster, double frame,
                ActiveEnvironment& out, FaceSet& moving) const;
 
  private:
   const Database& database_;
+  double detail_;
 };
 
 }  // namespace cigsim::frame_calculator

@@ -11,10 +11,15 @@ namespace {
 using geometry_processor::FaceMemory;
 using priority_processor::PriorityBank;
 
+constexpr std::uint64_t kSpheresOfAChoice = 2;
+
 std::uint64_t spheres_tested(const PriorityHierarchy& hierarchy,
                              const std::vector<ActiveGroup>& groups) {
   std::uint64_t spheres = 0;
-  for (const ActiveGroup& group : groups) spheres += hierarchy.groups[group.group].member_count;
+  for (const ActiveGroup& active : groups) {  // FC2
+    const Group& group = hierarchy.groups[active.group];
+    spheres += group.choice == kNone ? group.member_count : kSpheresOfAChoice;
+  }
   return spheres;
 }
 
@@ -28,9 +33,10 @@ MemoryLoader::Image::Image(const Database& from, const MachineDescription& machi
       faces(from.systems[0].set, scale, machine),
       ground(from.ground, scale, machine) {}
 
-MemoryLoader::MemoryLoader(const MachineDescription& machine, double eye_reach)
+MemoryLoader::MemoryLoader(const MachineDescription& machine, double eye_reach, double detail)
     : machine_(machine),
       eye_reach_(eye_reach),
+      detail_(detail),
       nothing_(PriorityHierarchy(), 0, 0, machine),
       priority_{PriorityBank(nothing_), PriorityBank(nothing_)} {}
 
@@ -39,11 +45,13 @@ Work MemoryLoader::load(const Database& database, const Viewpoint& viewpoint, do
   if (!image_ || image_->database != &database)
     image_ = std::make_shared<const Image>(database, machine_, eye_reach_);
   Side& side = sides_[frame % 2];
-  Functional(database).compute(viewpoint, machine_.raster, position, side.active, side.moving);
+  Functional(database, detail_)
+      .compute(viewpoint, machine_.raster, position, side.active, side.moving);
   auto moving = std::make_unique<FaceMemory>(side.moving, image_->scale, machine_);
   Work work;
   work.vertices = side.moving.vertices.size();
   work.spheres = spheres_tested(database.systems[0].hierarchy, side.active.groups);
+  work.detail = side.active.detail;
   work.overflows = moving->overflows();
   const ViewWords view =
       view_words(side.active.view, image_->scale, machine_.formats, work.overflows);

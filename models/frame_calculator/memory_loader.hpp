@@ -18,8 +18,8 @@ namespace cigsim::frame_calculator {
 
 class MemoryLoader {
  public:
-  /// `eye_reach`: as coordinate_scale().
-  MemoryLoader(const MachineDescription& machine, double eye_reach);
+  /// `eye_reach`: as coordinate_scale(). `detail`: as Functional.
+  MemoryLoader(const MachineDescription& machine, double eye_reach, double detail = 1);
 
   /// Calculates a frame into the banks of its parity: `position` places the moving models. A
   /// database's image is made when it comes first and kept while frames of it follow each other; it
@@ -57,7 +57,7 @@ class MemoryLoader {
   };
 
   MachineDescription machine_;
-  double eye_reach_;
+  double eye_reach_, detail_;
   priority_processor::PriorityMemory nothing_;  ///< what the banks hold before the first frame
   std::shared_ptr<const Image> image_;
   std::array<Side, 2> sides_;

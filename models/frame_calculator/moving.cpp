@@ -36,15 +36,16 @@ double power(const Sphere& s, const Vec3& eye) {
 
 class MovingModels {
  public:
-  MovingModels(const Database& database, const Vec3& eye,
-               std::vector<ActiveEnvironment::MovingPiece>& pieces, FaceSet& set,
-               ForcedMembers& forced)
+  MovingModels(const Database& database, double detail, Choices& choices, ActiveEnvironment& out,
+               FaceSet& set, ForcedMembers& forced)
       : database_(database),
         hierarchy_(database.systems[0].hierarchy),
         static_set_(database.systems[0].set),
-        eye_(eye),
+        detail_(detail),
+        choices_(choices),
+        out_(out),
+        eye_(out.view.eye),
         builder_(work_, set),
-        pieces_(pieces),
         forced_(forced) {}
 
   void run(double frame) {
@@ -75,7 +76,7 @@ class MovingModels {
       std::uint64_t base = 0;
       for (const Placed& p : placed) {
         for (const Piece& piece : p.items) all.push_back({piece.work_item, base + piece.order});
-        base += p.items.size();
+        base += database_.systems[p.system].set.items.size();
       }
     } else {
       all = partition_afresh();
@@ -88,8 +89,12 @@ class MovingModels {
   std::vector<Piece> add_system(const PreparedSystem& system, const Placing& place) {
     const std::vector<std::uint32_t> ranks =
         ranks_from(system.hierarchy, system.set.items.size(), place.inverse(eye_));
+    Choices choices(system.hierarchy, out_.view, detail_, &place);
+    const std::vector<bool> shown = items_shown(system.hierarchy, system.set.items.size(), choices);
+    choices.count(out_.detail);
     std::vector<Piece> items;
     for (std::size_t i = 0; i < system.set.items.size(); ++i) {
+      if (!shown[i]) continue;
       const Item& item = system.set.items[i];
       const auto base = static_cast<std::uint32_t>(work_.vertex_count());
       for (std::uint32_t v = 0; v < item.vertex_count; ++v)
@@ -135,7 +140,9 @@ class MovingModels {
       return;
     }
     const auto root = [&](std::uint32_t group) {
-      return hierarchy_.groups[group].node_count > 0 ? 0 : -1;
+      const Group& g = hierarchy_.groups[group];
+      if (g.choice != kNone) return ~static_cast<std::int32_t>(choices_.member(g));
+      return g.node_count > 0 ? 0 : -1;
     };
     std::vector<Place> stack{{piece.work_item, 0, root(0)}};
     while (!stack.empty()) {
@@ -202,29 +209,31 @@ class MovingModels {
   }
 
   void emit(std::uint32_t work_item, std::uint32_t neighbour, bool before, std::uint64_t order) {
-    pieces_.push_back({builder_.add({work_item}), neighbour, before, order});
+    const bool instead = neighbour != kNone && static_set_.items[neighbour].face_count == 0;
+    out_.moving.push_back({builder_.add({work_item}), neighbour, before, order, instead});
   }
 
   const Database& database_;
   const PriorityHierarchy& hierarchy_;
   const FaceSet& static_set_;
+  const double detail_;
+  Choices& choices_;
+  ActiveEnvironment& out_;
   const Vec3 eye_;
   WorkSet work_;
   FaceSetBuilder builder_;
-  std::vector<ActiveEnvironment::MovingPiece>& pieces_;
   ForcedMembers& forced_;
 };
 
 }  // namespace
 
-void place_moving_models(const Database& database, const Vec3& eye, double frame,
-                         std::vector<ActiveEnvironment::MovingPiece>& pieces, FaceSet& set,
-                         ForcedMembers& forced) {
-  pieces.clear();
+void place_moving_models(const Database& database, double frame, double detail, Choices& choices,
+                         ActiveEnvironment& out, FaceSet& set, ForcedMembers& forced) {
+  out.moving.clear();
   set.clear();
   if (database.systems.size() < 2) return;
-  MovingModels(database, eye, pieces, set, forced).run(frame);
-  std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
+  MovingModels(database, detail, choices, out, set, forced).run(frame);
+  std::stable_sort(out.moving.begin(), out.moving.end(), [](const auto& a, const auto& b) {
     if (a.neighbour != b.neighbour) return a.neighbour < b.neighbour;
     if (a.before != b.before) return a.before;
     return a.order < b.order;

@@ -7,7 +7,8 @@
 // the same place keep the order of their own model; models whose spheres are disjoint are ordered
 // by the power of the eyepoint with respect to the spheres, which orders disjoint spheres without a
 // circuit (the plane of equal power separates them); models whose spheres meet are partitioned
-// afresh for the frame.
+// afresh for the frame. Of choices among the static items, and of the moving models' own, only the
+// description that is shown takes part.
 #pragma once
 
 #include "models/boundary/transactions.hpp"
@@ -16,10 +17,11 @@
 
 namespace cigsim::frame_calculator {
 
-/// Finds the places of all moving pieces. `forced` receives the static members that they refer to,
-/// so that these are active even when out of view.
-void place_moving_models(const Database& database, const Vec3& eye, double frame,
-                         std::vector<ActiveEnvironment::MovingPiece>& pieces, FaceSet& set,
-                         ForcedMembers& forced);
+/// Finds the places of all moving pieces, for the view in `out`; `choices` are those of the static
+/// hierarchy, `detail` is the scale of thresholds for those of the moving ones, which `out` counts.
+/// `forced` receives the static members that the pieces refer to, so that these are active even
+/// when out of view.
+void place_moving_models(const Database& database, double frame, double detail, Choices& choices,
+                         ActiveEnvironment& out, FaceSet& set, ForcedMembers& forced);
 
 }  // namespace cigsim::frame_calculator

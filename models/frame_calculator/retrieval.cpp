@@ -47,39 +47,57 @@ class Pyramid {
   std::array<Vec3, 5> normals_;
 };
 
-std::uint64_t all_members(std::uint32_t count) {
-  return count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
-}
+// Walks the groups breadth first.
+class Retrieval {
+ public:
+  Retrieval(const PriorityHierarchy& hierarchy, const ViewTransform& view,
+            const ForcedMembers& forced, Choices& choices, std::vector<ActiveGroup>& out)
+      : hierarchy_(hierarchy), pyramid_(view), forced_(forced), choices_(choices), out_(out) {}
+
+  void run() {
+    out_.push_back({0, 0, 0});
+    for (std::size_t at = 0; at < out_.size(); ++at) {
+      const Group& group = hierarchy_.groups[out_[at].group];
+      const auto force = forced_.find(out_[at].group);
+      const std::uint64_t forced = force == forced_.end() ? 0 : force->second;
+      out_[at].first_child = static_cast<std::uint32_t>(out_.size());
+      if (group.choice == kNone) {
+        for (std::uint32_t m = 0; m < group.member_count; ++m) look_at(at, group, m, forced);
+      } else {
+        look_at(at, group, choices_.member(group), forced);
+      }
+    }
+  }
+
+ private:
+  void look_at(std::size_t at, const Group& group, std::uint32_t m, std::uint64_t forced) {
+    const std::uint64_t bit = std::uint64_t{1} << m;
+    const Member& member = hierarchy_.members[group.first_member + m];
+    unsigned rest = planes_[at];
+    if (rest != 0) rest = pyramid_.remaining(member.sphere, rest);
+    if ((rest == Pyramid::kOutside || member.placeholder) && !(forced & bit)) return;
+    out_[at].active |= bit;
+    if (!member.is_group) return;
+    out_.push_back({member.index, 0, 0});
+    planes_.push_back(
+        static_cast<unsigned char>(rest == Pyramid::kOutside ? Pyramid::kAllPlanes : rest));
+  }
+
+  const PriorityHierarchy& hierarchy_;
+  const Pyramid pyramid_;
+  const ForcedMembers& forced_;
+  Choices& choices_;
+  std::vector<ActiveGroup>& out_;
+  // By active group: the planes that its members must be tested against.
+  std::vector<unsigned char> planes_{Pyramid::kAllPlanes};
+};
 
 }  // namespace
 
 void retrieve(const PriorityHierarchy& hierarchy, const ViewTransform& view,
-              const ForcedMembers& forced, std::vector<ActiveGroup>& out) {
+              const ForcedMembers& forced, Choices& choices, std::vector<ActiveGroup>& out) {
   out.clear();
-  if (hierarchy.groups.empty()) return;
-  const Pyramid pyramid(view);
-  // By active group: the planes that its members must be tested against.
-  std::vector<unsigned char> planes{Pyramid::kAllPlanes};
-  out.push_back({0, 0, 0});
-  for (std::size_t at = 0; at < out.size(); ++at) {
-    const Group& group = hierarchy.groups[out[at].group];
-    const auto force = forced.find(out[at].group);
-    const std::uint64_t forced_here = force == forced.end() ? 0 : force->second;
-    out[at].active = planes[at] == 0 ? all_members(group.member_count) : 0;
-    out[at].first_child = static_cast<std::uint32_t>(out.size());
-    for (std::uint32_t m = 0; m < group.member_count; ++m) {
-      const std::uint64_t bit = std::uint64_t{1} << m;
-      const Member& member = hierarchy.members[group.first_member + m];
-      unsigned rest = planes[at];
-      if (rest != 0) rest = pyramid.remaining(member.sphere, rest);
-      if (rest == Pyramid::kOutside && !(forced_here & bit)) continue;
-      out[at].active |= bit;
-      if (!member.is_group) continue;
-      out.push_back({member.index, 0, 0});
-      planes.push_back(
-          static_cast<unsigned char>(rest == Pyramid::kOutside ? Pyramid::kAllPlanes : rest));
-    }
-  }
+  if (!hierarchy.groups.empty()) Retrieval(hierarchy, view, forced, choices, out).run();
 }
 
 }  // namespace cigsim::frame_calculator

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace cigsim::frame_calculator {
 
@@ -10,6 +11,7 @@ struct Work {
   std::uint64_t spheres = 0;   ///< members of active groups, tested against the pyramid of vision
   std::uint64_t vertices = 0;  ///< of moving models, placed
   std::uint64_t overflows = 0;
+  std::vector<std::uint32_t> detail;  ///< ActiveEnvironment::detail
 };
 
 }  // namespace cigsim::frame_calculator

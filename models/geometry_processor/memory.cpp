@@ -60,7 +60,8 @@ void FaceMemory::add_face(const FaceSet& set, const PreparedFace& face,
 }
 
 void FaceMemory::add_item(const FaceSet& set, const Item& item, const MachineDescription& machine) {
-  if (item.face_count == 0 || item.vertex_count == 0)
+  const bool placeholder = item.face_count == 0 && item.vertex_count == 0;  // never listed
+  if (!placeholder && (item.face_count == 0 || item.vertex_count == 0))
     throw std::invalid_argument("an item of the database has no faces; prepare the scene anew");
   check(item.vertex_count, machine.vertex_capacity, "an item's vertices number", "vertex_capacity",
         machine);

@@ -73,7 +73,10 @@ std::vector<std::uint32_t> shortest_circuit(const Precedes& precedes, std::uint6
 std::uint32_t object_of(const PriorityHierarchy& hierarchy, const FaceSet& objects,
                         const Member& member) {
   const Member* m = &member;
-  while (m->is_group) m = &hierarchy.members[hierarchy.groups[m->index].first_member];
+  while (m->is_group) {
+    m = &hierarchy.members[hierarchy.groups[m->index].first_member];
+    while (m->placeholder) ++m;
+  }
   return objects.faces[objects.items[m->index].first_face].object;
 }
 

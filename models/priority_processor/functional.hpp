@@ -104,18 +104,19 @@ class Functional {
                        .is_group;
         stack.push_back({child, 0});
       } else {
-        list_with_pieces(member.index, active, out);
+        list_with_pieces(member, active, out);
       }
     }
   }
 
-  void list_with_pieces(std::uint32_t item, const ActiveEnvironment& active, PriorityList& out) {
+  void list_with_pieces(const Member& member, const ActiveEnvironment& active, PriorityList& out) {
+    const std::uint32_t item = member.index;
     const auto& moving = active.moving;
     auto piece = std::lower_bound(moving.begin(), moving.end(), item,
                                   [](const auto& p, std::uint32_t i) { return p.neighbour < i; });
     for (; piece != moving.end() && piece->neighbour == item && piece->before; ++piece)
       out.items.push_back({SetId::kMoving, piece->item});
-    out.items.push_back({SetId::kStatic, item});
+    if (!member.placeholder) out.items.push_back({SetId::kStatic, item});
     for (; piece != moving.end() && piece->neighbour == item; ++piece)
       out.items.push_back({SetId::kMoving, piece->item});
   }

@@ -151,6 +151,7 @@ void PriorityBank::add_lists(const ActiveEnvironment& active) {
   }
   for (std::size_t i = 0; i < active.moving.size();) {
     const std::uint32_t item = active.moving[i].neighbour;
+    const bool instead = active.moving[i].instead;
     if (item == kNone) break;
     words_[kDirectoryBegin + item] = next_address();
     listed_.push_back(item);
@@ -159,7 +160,7 @@ void PriorityBank::add_lists(const ActiveEnvironment& active) {
     };
     for (; here() && active.moving[i].before; ++i)
       words_.push_back(active.moving[i].item | kMovingBit);
-    words_.push_back(item);
+    if (!instead) words_.push_back(item);
     for (; here(); ++i) words_.push_back(active.moving[i].item | kMovingBit);
     words_.back() |= kLastBit;
   }

@@ -24,6 +24,7 @@ void add_compare_algorithms(CLI::App& program, int& exit_code);
 void add_sorts(CLI::App& program, int& exit_code);
 void add_clip(CLI::App& program, int& exit_code);
 void add_hidden_line(CLI::App& program, int& exit_code);
+void add_bsp(CLI::App& program, int& exit_code);
 void add_wave_picture(CLI::App& program, int& exit_code);
 
 }  // namespace cigsim

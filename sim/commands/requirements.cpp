@@ -39,7 +39,7 @@ struct Attribute {
 
 struct DatabaseFigures {
   std::uint64_t items = 0, faces = 0, edges = 0, two_sided = 0, moving = 0, planes = 0, groups = 0,
-                pairs = 0, largest_group = 0, largest_planes = 0;
+                pairs = 0, largest_group = 0, largest_planes = 0, choices = 0;
 };
 
 void add_set(const FaceSet& set, DatabaseFigures& figures) {
@@ -59,6 +59,7 @@ DatabaseFigures figures_of(const Database& database) {
     figures.planes += system.hierarchy.planes.size();
     figures.groups += system.hierarchy.groups.size();
     figures.pairs += pair_count(system.hierarchy);
+    figures.choices += system.hierarchy.choices.size();
     for (const Group& group : system.hierarchy.groups) {
       figures.largest_group = std::max<std::uint64_t>(figures.largest_group, group.member_count);
       figures.largest_planes = std::max<std::uint64_t>(figures.largest_planes, group.node_count);
@@ -101,7 +102,8 @@ std::vector<Figure> scene_rows(const LoadedScene& scene, const DatabaseFigures& 
       {"groups", figures.groups, "of the priority hierarchy"},
       {"pairs", figures.pairs, "TRUE/FALSE pairs over all groups"},
       {"largest_group_members", figures.largest_group, "rows of counters or of the SO matrix"},
-      {"largest_group_planes", figures.largest_planes, "side tests of a group"}};
+      {"largest_group_planes", figures.largest_planes, "side tests of a group"},
+      {"choices", figures.choices, "things with several descriptions"}};
   rows.insert(rows.end(), rest.begin(), rest.end());
   return rows;
 }
@@ -128,6 +130,10 @@ std::vector<Attribute> attributes_of(const LoadedScene& scene, const DatabaseFig
               "left out: priorities come from the static planes alone")},
       {"ground", ground > 0,
        choose(ground > 0, fmt::format("{} faces below every object", ground), "left out")},
+      {"levels of detail", figures.choices > 0,
+       choose(figures.choices > 0,
+              fmt::format("{} projected radii decide what is retrieved", figures.choices),
+              "left out: every object has one description")},
       {"two-sided faces", figures.two_sided > 0,
        choose(figures.two_sided > 0,
               fmt::format("{} faces show their backs too", figures.two_sided),

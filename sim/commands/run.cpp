@@ -120,7 +120,9 @@ int run_command(const Options& options) {
     throw UsageError("--timeline: the functional level knows no time; add --level timed");
   const std::optional<WaveRequest> wave = wave_request(options.wave, options.machine.levels);
   const std::vector<PathRow> path = load_path(options.view);
-  const LoadedScene scene = load_scene(options.scene, options.preparation);
+  PreparationChoices preparation = options.preparation;
+  preparation.most_detailed = options.machine.detail == 0;
+  const LoadedScene scene = load_scene(options.scene, preparation);
   const std::vector<FrameView> views = frame_views(options.view, path, scene.database);
   RunRecord run;
   run.scene = scene.name;

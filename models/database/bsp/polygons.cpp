@@ -2,6 +2,7 @@
 #include "models/database/bsp/polygons.hpp"
 
 #include "models/database/notices.hpp"
+#include "models/database/shade.hpp"
 #include "models/database/surface.hpp"
 #include "models/environment/placement.hpp"
 
@@ -19,7 +20,8 @@ void add_object(BspPolygons& out, const Object& object, std::uint32_t number, No
     const auto order = static_cast<std::uint32_t>(out.set.polygons.size());
     out.set.add_polygon(
         corners, out.set.add_plane(face.plane),
-        {number, order, object.faces[face.source].colour.value_or(Colour{}), !surface.closed});
+        {number, order, object.faces[face.source].colour.value_or(palette_colour(number)),
+         !surface.closed});
     out.set.add_item(1);
     out.body.push_back(surface.convex ? number : BspPolygons::kNoBody);
   }
