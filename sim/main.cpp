@@ -100,6 +100,8 @@ int main(int argc, char** argv) {
   cigsim::add_clip(program, exit_code);
   cigsim::add_hidden_line(program, exit_code);
   cigsim::add_bsp(program, exit_code);
+  cigsim::add_separate(program, exit_code);
+  cigsim::add_listable(program, exit_code);
   cigsim::add_wave_picture(program, exit_code);
   const int result = parse_and_run(program, argc, argv, exit_code);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 #include "models/database/listability/cell_walk.hpp"
 
@@ -11,27 +12,6 @@ namespace cigsim::listability {
 namespace {
 
 constexpr double kCrossDoubt = 0x1p-47, kTripleDoubt = 0x1p-45;
-
-// The vector in doubles, scaled so that its largest coordinate is about 1; each coordinate is off
-// by at most 2^-51.
-Vec3 scaled(const WholeVec& v) {
-  double part[3];
-  long exponent[3];
-  const mpz_class* from[3] = {&v.x, &v.y, &v.z};
-  long most = 0;
-  bool any = false;
-  for (int i = 0; i < 3; ++i) {
-    part[i] = mpz_get_d_2exp(&exponent[i], from[i]->get_mpz_t());
-    if (part[i] == 0) continue;
-    most = any ? std::max(most, exponent[i]) : exponent[i];
-    any = true;
-  }
-  const auto at = [&](int i) {
-    const long down = std::max(exponent[i] - most, -2000L);
-    return part[i] == 0 ? 0.0 : std::ldexp(part[i], static_cast<int>(down));
-  };
-  return {at(0), at(1), at(2)};
-}
 
 int first_axis(const WholeVec& v) { return sgn(v.x) != 0 ? 0 : sgn(v.y) != 0 ? 1 : 2; }
 
@@ -50,7 +30,8 @@ ExactVec exact(const WholeVec& v) { return {Exact(v.x), Exact(v.y), Exact(v.z)};
 
 Arrangement::Arrangement(const std::vector<Plane>& planes) : planes_(whole_planes(planes)) {
   for (const WholePlane& plane : planes_) {
-    near_.push_back(scaled(plane.n));
+    const auto n = scaled(plane.n.x, plane.n.y, plane.n.z, 0);
+    near_.push_back({n[0], n[1], n[2]});
     flat_.push_back(is_zero(plane.n));
   }
 }

@@ -2,9 +2,13 @@
 #include "models/database/listability/cell_walk.hpp"
 
 #include <bit>
+#include <cmath>
 
 namespace cigsim::listability {
 namespace {
+
+// A sum of four products of numbers up to 1, each off by 2^-51, is off by less than 2^-47.
+constexpr double kDoubt = 0x1p-46;
 
 WholeVec negative(const WholeVec& v) { return {mpz_class(-v.x), mpz_class(-v.y), mpz_class(-v.z)}; }
 
@@ -17,6 +21,12 @@ WholeVec reduced(WholeVec v) {
 }
 
 }  // namespace
+
+CellWalk::CellWalk(const std::vector<WholePlane>& planes, const Visit& visit)
+    : planes_(planes), visit_(visit) {
+  for (const WholePlane& plane : planes)
+    near_.push_back(scaled(plane.n.x, plane.n.y, plane.n.z, mpz_class(-plane.d)));
+}
 
 void CellWalk::run() {
   if (flats_of_three() || flats_of_two() || flats_of_one()) return;
@@ -71,14 +81,48 @@ bool CellWalk::flats_of_one() {
 
 bool CellWalk::at_flat(const WholeVec& v, const mpz_class& w) {
   std::uint64_t open = 0, eye_true = 0;
+  const std::array<double, 4> at = scaled(v.x, v.y, v.z, w);
   for (std::size_t p = 0; p < planes_.size(); ++p) {
-    const int s = sgn(mpz_class(dot(planes_[p].n, v) - planes_[p].d * w));
+    const std::array<double, 4>& n = near_[p];
+    const double near = n[0] * at[0] + n[1] * at[1] + n[2] * at[2] + n[3] * at[3];
+    const int s = std::abs(near) > kDoubt ? (near > 0 ? 1 : -1)
+                                          : sgn(mpz_class(dot(planes_[p].n, v) - planes_[p].d * w));
     if (s == 0) open |= std::uint64_t{1} << p;
     if (s > 0) eye_true |= std::uint64_t{1} << p;
   }
   if (!flats_.insert(open).second) return true;
   path_ = {v, w, {}};
-  return central(open, eye_true);
+  return std::popcount(open) == 3 ? simple_vertex(open, eye_true) : central(open, eye_true);
+}
+
+// Three planes meet here. Where their normals are independent, all eight combinations occur, one
+// step away.
+bool CellWalk::simple_vertex(std::uint64_t open, std::uint64_t eye_true) {
+  std::uint64_t bit[3];
+  const WholeVec* n[3];
+  for (int k = 0; k < 3; ++k, open &= open - 1) {
+    bit[k] = open & (~open + 1);
+    n[k] = &planes_[static_cast<std::size_t>(std::countr_zero(open))].n;
+  }
+  const int turn = sgn(triple(*n[0], *n[1], *n[2]));
+  if (turn == 0) return central(bit[0] | bit[1] | bit[2], eye_true);
+  for (int choice = 0; choice < 8; ++choice) {
+    std::uint64_t here = eye_true;
+    for (int k = 0; k < 3; ++k)
+      if (choice >> k & 1) here |= bit[k];
+    if (!seen_.insert(here).second) continue;
+    WholeVec direction;
+    for (int k = 0; k < 3; ++k) {
+      const WholeVec off = cross(*n[(k + 1) % 3], *n[(k + 2) % 3]);
+      const bool forward = (turn > 0) == ((choice >> k & 1) != 0);
+      direction = forward ? direction + off : direction - off;
+    }
+    path_.directions.assign(1, direction);
+    const bool on = visit_(here, path_);
+    path_.directions.clear();
+    if (!on) return false;
+  }
+  return true;
 }
 
 // Planes of `open` go through the point reached so far; the point itself is on their TRUE side.

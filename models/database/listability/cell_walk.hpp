@@ -16,8 +16,7 @@ class CellWalk {
   using Visit = std::function<bool(std::uint64_t, const CellPath&)>;
 
   /// At most kMostCellPlanes planes.
-  CellWalk(const std::vector<WholePlane>& planes, const Visit& visit)
-      : planes_(planes), visit_(visit) {}
+  CellWalk(const std::vector<WholePlane>& planes, const Visit& visit);
 
   void run();
 
@@ -26,11 +25,13 @@ class CellWalk {
   bool flats_of_two();
   bool flats_of_one();
   bool at_flat(const WholeVec& v, const mpz_class& w);
+  bool simple_vertex(std::uint64_t open, std::uint64_t eye_true);
   bool central(std::uint64_t open, std::uint64_t eye_true);
   bool along(const WholeVec& direction, std::uint64_t open, std::uint64_t eye_true);
   std::vector<WholeVec> rays(const std::vector<std::uint32_t>& open) const;
 
   const std::vector<WholePlane>& planes_;
+  std::vector<std::array<double, 4>> near_;  // n and -d, scaled
   const Visit& visit_;
   CellPath path_;
   std::unordered_set<std::uint64_t> seen_;   // cells

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "models/database/listability/whole_plane.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace cigsim::listability {
 namespace {
 
@@ -25,6 +28,25 @@ std::vector<WholePlane> whole_planes(const std::vector<Plane>& planes) {
   std::vector<WholePlane> out;
   out.reserve(planes.size());
   for (const Plane& plane : planes) out.push_back(whole_plane(plane));
+  return out;
+}
+
+std::array<double, 4> scaled(const mpz_class& a, const mpz_class& b, const mpz_class& c,
+                             const mpz_class& d) {
+  constexpr long kLeast = -2000;  // below all doubles
+  std::array<double, 4> out{};
+  long exponent[4] = {}, most = 0;
+  bool any = false;
+  const mpz_class* from[4] = {&a, &b, &c, &d};
+  for (std::size_t i = 0; i < 4; ++i) {
+    out[i] = mpz_get_d_2exp(&exponent[i], from[i]->get_mpz_t());
+    if (out[i] == 0) continue;
+    most = any ? std::max(most, exponent[i]) : exponent[i];
+    any = true;
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+    if (out[i] != 0)
+      out[i] = std::ldexp(out[i], static_cast<int>(std::max(exponent[i] - most, kLeast)));
   return out;
 }
 

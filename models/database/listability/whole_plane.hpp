@@ -5,6 +5,7 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <vector>
 
 #include "models/numeric/plane.hpp"
@@ -30,5 +31,10 @@ inline bool is_zero(const WholeVec& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 &
 inline mpz_class triple(const WholeVec& a, const WholeVec& b, const WholeVec& c) {
   return dot(a, cross(b, c));
 }
+
+/// The numbers in doubles, scaled so that the largest is between 1/2 and 1; each is off by at most
+/// 2^-51.
+std::array<double, 4> scaled(const mpz_class& a, const mpz_class& b, const mpz_class& c,
+                             const mpz_class& d);
 
 }  // namespace cigsim::listability

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "sim/separation_input.hpp"
+
+#include <algorithm>
+
+#include "models/database/database_file.hpp"
+#include "models/environment/input_error.hpp"
+#include "sim/arguments.hpp"
+
+namespace cigsim {
+namespace {
+
+bool is_deck(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return ending == ".deck";
+}
+
+}  // namespace
+
+SeparationInput read_separation_input(const std::filesystem::path& file) {
+  if (is_database(file))
+    throw UsageError(file.string() +
+                     " is prepared and has its planes; give the scene that it was made from");
+  ReadResult read = read_environment(file);
+  SeparationInput input{{}, std::move(read.environment), std::move(read.notices)};
+  if (is_deck(file)) input.deck.planes = read_stump_deck(file).planes;
+  for (std::size_t s = 1; s < input.scene.systems.size(); ++s)
+    if (!input.scene.systems[s].motion.empty() ||
+        !(input.scene.systems[s].placement == Placement{}))
+      throw UsageError(file.string() + ": system \"" + input.scene.systems[s].name +
+                       "\" is placed by itself or moves; separation planes need objects in the "
+                       "environment's own axes");
+  for (std::size_t o = 0; o < input.scene.objects.size(); ++o)
+    if (input.scene.objects[o].faces.empty())
+      throw InputError(file.string(), 0,
+                       "object " + std::to_string(o + 1) + " has no faces; remove it");
+  if (input.scene.objects.empty())
+    throw InputError(file.string(), 0, "holds no object to separate; add one");
+  input.deck.objects = input.scene.objects;
+  return input;
+}
+
+}  // namespace cigsim
