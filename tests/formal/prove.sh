@@ -4,13 +4,13 @@
 #   prove.sh SOURCES PROOF [Cycles=N] [NAME=VALUE ...] [-- MODULE EDIT | -- MODULE NETLIST N ...]
 # SOURCES: the checkout; NAME=VALUE: parameters of PROOF; Cycles=N, for a PROOF with a clock: in each
 # of N cycles from reset on, with any values in the registers before it.
-# A PROOF with a line "// registers: NAME NAME[WORDSxBITS] ..." is of one step of its instance `dut`:
-# its inputs of these names are dut's registers, words of a memory one after the other; WORDS and BITS
-# may be of the parameters, which are then all given. It has a clock, and an input second_i, which is set in the second of two cycles. Anything may be in the
+# A PROOF with a line "// registers: NAME NAME=WIRE NAME[WORDSxBITS] ..." is of one step of its
+# instance `dut`: its inputs of these names are dut's registers, or wires, and words of a memory one
+# after the other; WORDS and BITS may be of the parameters, which are then all given. It has a clock, and an input second_i, which is set in the second of two cycles. Anything may be in the
 # registers before.
 # With MODULE and EDIT, for sed, that module is made wrong on purpose, and the proof has to be
-# refuted. With MODULE and NETLIST, a file of Verilog with all its mutants by the number `mutant`
-# (scripts/mutants), prints "mutant N refuted", "stands" or "unknown" for each N. Needs yosys.
+# refuted. With MODULE and NETLIST, RTLIL of it with all its mutants, by the number `mutant` that comes
+# in (scripts/mutants), prints "mutant N refuted", "stands" or "unknown" for each N. Needs yosys.
 set -eu
 sources=$(cd "$1" && pwd)
 proof=$2
@@ -23,7 +23,9 @@ cp "$sources"/rtl/*/*.sv "$sources/tests/formal/$proof.sv" "$work"
 parameters= wanted=-verify cycles= mutants=
 while [ $# -gt 0 ]; do
   if [ "$1" = -- ] && [ $# -gt 3 ]; then
-    cp "$3" "$work/$2.sv"
+    cp "$3" "$work/mutants.il"
+    rm "$work/$2.sv"
+    sed -i "s/^  $2 #(.*)) /  $2 /" "$work/$proof.sv" # its parameters are what they are
     shift 3
     mutants=$*
     break
@@ -56,7 +58,7 @@ if [ -n "$registers" ]; then
   for register in $registers; do
     name=${register%%\[*}
     if [ "$name" = "$register" ]; then
-      cycles="$cycles -set $name dut.$name"
+      cycles="$cycles -set ${name%%=*} dut.${name#*=}"
       continue
     fi
     size=${register#*\[}
@@ -72,7 +74,9 @@ if [ -n "$registers" ]; then
   set +f
 fi
 
-read="read_verilog -sv -defer -I$sources $work/*.sv; hierarchy -top $proof $parameters; $prepare"
+netlist=
+[ -z "$mutants" ] || netlist="read_rtlil $work/mutants.il;"
+read="$netlist read_verilog -sv -defer -I$sources $work/*.sv; hierarchy -top $proof $parameters; $prepare"
 if [ -z "$mutants" ]; then
   # -verify fails where the proof is refuted, -falsify where it stands.
   yosys -q -p "$read; sat $wanted $cycles -prove ok_o 1"

@@ -2,6 +2,8 @@
 // Edge orderer: the RTL against the clocked level, on every pin in every cycle.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "models/edge_orderer/clocked.hpp"
 #include "models/edge_orderer/rtl.hpp"
 #include "rtl/edge_orderer/edge_orderer.pins.hpp"
@@ -217,6 +219,119 @@ TEST(EdgeOrdererRtl, PicturesOfTheWholeShippedSizeAgree) {
     }
   }
   lock_step(kShipped, cases);
+}
+
+// All edges of the shipped size on one line, and all or most that go on to the next; in few faces,
+// of which many crossings go at once; elements and faces of all bits.
+TEST(EdgeOrdererRtl, EveryEdgeOfTheShippedSizeOnOneLineAgrees) {
+  std::mt19937 random(1979);
+  const auto one_of = [&](std::uint32_t n) { return random() % n == 0; };
+  std::vector<std::unique_ptr<OrdererCase>> cases;
+  const auto add = [&](OverloadPolicy policy, int lines) -> std::vector<EdgeWord>& {
+    cases.push_back(std::make_unique<OrdererCase>(
+        upright_edges(kShipped.edges, lines, kShipped.crossings, policy)));
+    cases.back()->machine.raster.width = 16383;
+    for (EdgeWord& edge : cases.back()->frames[0]) {
+      edge.x = static_cast<Word>(random());
+      edge.slope = static_cast<Word>(random()) / 4;
+    }
+    return cases.back()->frames[0];
+  };
+  for (EdgeWord& edge : add(OverloadPolicy::kDrop, 2)) edge.face = 0x5a'5a5a >> random() % 4;
+  for (EdgeWord& edge : add(OverloadPolicy::kDrop, 2)) edge.face = 0xa5'a5a5 >> one_of(4);
+  for (EdgeWord& edge : add(OverloadPolicy::kCut, 2)) edge.end_line -= one_of(8);
+  for (EdgeWord& edge : add(OverloadPolicy::kExtend, 1)) {
+    edge.face = static_cast<std::uint32_t>(random() % (1 << 24));
+    if (one_of(8)) edge.x = std::numeric_limits<Word>::max();
+  }
+  lock_step(kShipped, cases);
+}
+
+// Each bucket of the small size once with all edges.
+TEST(EdgeOrdererRtl, AnyBucketHoldsAllEdges) {
+  std::vector<std::unique_ptr<OrdererCase>> cases;
+  cases.push_back(std::make_unique<OrdererCase>(
+      upright_edges(kSmall.edges, kSmall.lines, 16, OverloadPolicy::kDrop)));
+  OrdererCase& c = *cases.back();
+  const std::vector<EdgeWord> edges = c.frames[0];
+  c.frames.clear();
+  for (int line = 0; line < kSmall.lines; ++line) {
+    c.frames.push_back(edges);
+    for (EdgeWord& edge : c.frames.back()) {
+      edge.first_line = static_cast<std::uint16_t>(line);
+      edge.end_line = static_cast<std::uint16_t>(line + 1);
+    }
+  }
+  lock_step(kSmall, cases);
+}
+
+/// The module of the small size, out of reset.
+class Module {
+ public:
+  using Pins = rtl::edge_orderer::Pins;
+  Module(std::uint32_t height, std::uint32_t capacity, OverloadPolicy policy)
+      : model_(kSmall.library(), sizeof(Pins), 1) {
+    pins().rst_i = true;
+    pins().cfg_width_i = 16;
+    pins().cfg_height_i = static_cast<decltype(Pins::cfg_height_i)>(height);
+    pins().cfg_crossing_capacity_i = capacity;
+    pins().cfg_policy_i = static_cast<decltype(Pins::cfg_policy_i)>(policy);
+    edge();
+    edge();
+    pins().rst_i = false;
+    model_.settle();
+  }
+  Pins& pins() { return model_.pins<Pins>(); }
+  void edge() { model_.edge(); }
+
+ private:
+  RtlModel model_;
+};
+
+// All bits of the configuration are looked at.
+TEST(EdgeOrdererRtl, RastersOfTooManyLinesAreTold) {
+  for (int bit = 0; bit < 14; ++bit)
+    for (const std::uint32_t more : {0u, 1u}) {
+      const std::uint32_t height = (1u << bit) + more;
+      Module module(height, 16, OverloadPolicy::kDrop);
+      EXPECT_EQ(module.pins().mon_too_small_o, height > 16) << height;
+    }
+}
+
+// A capacity of more crossings than there are cells is none that is reached: a line that fills the
+// cells is told as too much for the size, under every policy, and is not filled in more passes.
+TEST(EdgeOrdererRtl, CapacitiesOf32Bits) {
+  for (int bit = 5; bit < 32; ++bit)
+    for (const std::uint32_t more : {0u, 16u})
+      for (const OverloadPolicy policy :
+           {OverloadPolicy::kDrop, OverloadPolicy::kCut, OverloadPolicy::kExtend}) {
+        Module module(1, (1u << bit) + more, policy);
+        Module::Pins& pins = module.pins();
+        pins.edges_valid_i = true;
+        pins.edges_end_line_i = 1;
+        for (int edge = 0; edge < 17; ++edge) module.edge();
+        pins.edges_end_line_i = 0;
+        pins.edges_end_i = true;
+        module.edge();
+        pins.edges_valid_i = false;
+        pins.loaded_ready_i = true;
+        module.edge();
+        pins.loaded_ready_i = false;
+        pins.start_valid_i = true;
+        module.edge();
+        pins.start_valid_i = false;
+        int passes = 0;
+        bool overfull = false;
+        for (int cycle = 0; cycle < 40; ++cycle) {
+          passes += pins.mon_pass_o;
+          overfull |= pins.mon_overfull_o;
+          EXPECT_EQ(pins.mon_too_small_o, cycle > 17) << cycle;
+          EXPECT_EQ(pins.mon_dropped_o, 0u);
+          module.edge();
+        }
+        EXPECT_EQ(passes, 1) << bit;
+        EXPECT_FALSE(overfull) << bit;
+      }
 }
 
 // The sequencer of a machine always has room for a loaded word. Without it the word is held, and no

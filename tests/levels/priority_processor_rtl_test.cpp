@@ -186,6 +186,55 @@ TEST(PriorityProcessorRtl, AgreesWhereTheEyeIsNextToAPlane) {
   EXPECT_GT(firsts[1], 20u);
 }
 
+// Counters of all members up to 63, and beyond; a table of the same pairs again and again.
+TEST(PriorityProcessorRtl, CountersOfAllMembersSaturate) {
+  test::fresh_simulation();
+  std::deque<PriorityCase> cases;
+  LockStep lock_step;
+  for (std::uint8_t member = 0; member < 8; ++member)
+    for (const std::size_t pairs : {63u, 64u, 70u}) {
+      const std::uint8_t other = (member + 1) % 8;
+      cases.push_back(test::table_case(
+          8, {{kX, {10, 0, 0}, std::vector<MemberPair>(pairs, {member, other})}}, {}));
+      lock_step.add(cases.back(), kSmall, 1);
+    }
+  lock_step.run(20'000);
+}
+
+/// Groups below each other, each of `members`, one of which is the next group.
+PriorityCase deep_case(std::uint32_t members, std::uint32_t levels) {
+  PriorityHierarchy h;
+  ActiveEnvironment active;
+  std::uint32_t items = 0;
+  for (std::uint32_t g = 0; g < levels; ++g) {
+    h.groups.push_back({g * members, members, 0, 0});
+    for (std::uint32_t m = 0; m < members; ++m) {
+      const bool is_group = m == 5 && g + 1 < levels;
+      h.members.push_back({is_group, is_group ? g + 1 : items++, {}});
+    }
+    active.groups.push_back({g, ~std::uint64_t{0} >> (64 - members), g + 1});
+  }
+  PriorityCase c;
+  c.frames = 1;
+  c.memories.push_back(std::make_unique<PriorityMemory>(h, items, 0, c.machine));
+  c.filled.assign(2, PriorityBank(*c.memories[0]));
+  for (PriorityBank& bank : c.filled) bank.fill(active, {}, 0);
+  return c;
+}
+
+// Large groups on all levels: places up to 63 and 64.
+TEST(PriorityProcessorRtl, LargeGroupsBelowEachOther) {
+  test::fresh_simulation();
+  std::deque<PriorityCase> cases;
+  LockStep lock_step;
+  for (const Size size : {kShipped, Size{64, 4}})
+    for (const std::uint32_t members : {63u, 64u}) {
+      cases.push_back(deep_case(members, 4));
+      lock_step.add(cases.back(), size, 1);
+    }
+  lock_step.run(200'000);
+}
+
 /// The list that the RTL makes, a digit an item, and '!' after it for a fault.
 std::vector<std::string> tables(const std::deque<PriorityCase>& cases) {
   LockStep lock_step;

@@ -202,6 +202,10 @@ TEST(PriorityResolverRtl, FaceBeyondTheSizeIsNamed) {
   EXPECT_NE(fault({{64, 1, true}, {64, 2, false}, {0, 0, false, true, false}})
                 .find("priority_resolver: face 64: the picture has more faces than this RTL size"),
             std::string::npos);
+  for (int bit = 6; bit < 32; ++bit)
+    EXPECT_NE(fault({{1u << bit, 1, true}, {0, 0, false, true, false}}).find("more faces"),
+              std::string::npos)
+        << bit;
 }
 
 TEST(PriorityResolverRtl, BrokenContractsEndTheSimulation) {
