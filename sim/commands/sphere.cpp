@@ -120,13 +120,19 @@ void print_counts(const LevineSphere& levine) {
   print_row("type", levine.selected.size(), "TSC, points that the sphere rests on");
 }
 
+void print_none(const Result& r, const Options& options) {
+  const std::size_t last = options.levine.last_point.value_or(r.levine->hull_points);
+  const bool all = last >= r.levine->hull_points;
+  fmt::print("{}: {} points, NO sphere found by point {}{}\n", r.group.name, r.group.points.size(),
+             all ? r.levine->hull_points : last,
+             all ? ", the last: leave out --published-loops" : "; --last-point all searches on");
+}
+
 void print_text(const Result& r, const Options& options) {
   if (r.sphere)
     print_sphere(r);
   else
-    fmt::print("{}: {} points, NO sphere found by point {}; --last-point all searches on\n",
-               r.group.name, r.group.points.size(),
-               options.levine.last_point.value_or(r.levine->hull_points));
+    print_none(r, options);
   if (r.levine) print_counts(*r.levine);
 }
 

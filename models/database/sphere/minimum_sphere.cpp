@@ -43,7 +43,9 @@ class Search {
     solve(sample);
     if (step == 1) return;
     SphereScan scan(points_.work());
-    while (solve(scan.outside(scanned_)) || solve_closer(scan)) {
+    while (solve(scan.outside(scanned_))) {
+    }
+    while (solve_closer(scan)) {
     }
   }
 

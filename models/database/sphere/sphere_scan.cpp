@@ -94,6 +94,7 @@ SphereScan::Farthest SphereScan::scan_block(const ScannedSphere& sphere, std::si
 
 SphereScan::Farthest SphereScan::farthest(const ScannedSphere& sphere) {
   Farthest best{0, -1};
+  centre_ = {sphere.x.high, sphere.y.high, sphere.z.high};
   for (std::size_t i = 0; i < most_.size(); ++i) {
     const Farthest far = scan_block(sphere, i);
     if (far.squared_distance > best.squared_distance) best = far;
@@ -104,6 +105,7 @@ SphereScan::Farthest SphereScan::farthest(const ScannedSphere& sphere) {
 std::vector<std::uint32_t> SphereScan::outside(const ScannedSphere& sphere) {
   const double limit = sphere.squared_radius.high + band(sphere);
   std::vector<std::uint32_t> out;
+  centre_ = {sphere.x.high, sphere.y.high, sphere.z.high};
   for (std::size_t i = 0; i < most_.size(); ++i) {
     const Farthest far = scan_block(sphere, i);
     if (far.squared_distance > limit) out.push_back(far.point);
@@ -113,7 +115,12 @@ std::vector<std::uint32_t> SphereScan::outside(const ScannedSphere& sphere) {
 
 SphereScan::Closer SphereScan::closer_look(const ScannedSphere& sphere) const {
   double excess[kBlock];
-  const double least = sphere.squared_radius.high - band(sphere), bound = bound_of(sphere);
+  const double bound = bound_of(sphere);
+  // A point outside now was at most `moved` nearer to the centre of the pass.
+  const Vec3 shift = Vec3{sphere.x.high, sphere.y.high, sphere.z.high} - centre_;
+  const double moved = (std::abs(shift.x) + std::abs(shift.y) + std::abs(shift.z)) * 1.001;
+  const double least = sphere.squared_radius.high -
+                       2.001 * moved * std::sqrt(sphere.squared_radius.high) - band(sphere);
   Closer out;
   for (std::size_t i = 0; i < most_.size(); ++i) {
     if (most_[i] < least) continue;

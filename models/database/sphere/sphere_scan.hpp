@@ -37,7 +37,8 @@ class SphereScan {
   /// The farthest point of each block that reaches beyond the sphere by more than band().
   std::vector<std::uint32_t> outside(const ScannedSphere& sphere);
 
-  /// After farthest() or outside() of the same sphere: squared distances to twice the precision.
+  /// After farthest() or outside(): squared distances to twice the precision. Quick while the
+  /// sphere has moved little since then, for blocks that were well inside are not looked at.
   struct Closer {
     std::uint32_t farthest = 0;
     double excess = 0;  ///< of `farthest`, which is outside for certain; or 0
@@ -59,6 +60,7 @@ class SphereScan {
 
   std::span<const Vec3> points_;
   std::vector<double> most_;  // by block
+  Vec3 centre_;               // that most_ was measured from
 };
 
 }  // namespace cigsim
