@@ -56,9 +56,23 @@ def normal_of(points):
 
 # --- Scenes ------------------------------------------------------------------------------------
 
+def flat(entries, places=()):
+    """The objects among entries and those of choices, each with its descriptions: pairs of a
+    choice's name and the number of the description, from its end."""
+    for entry in entries:
+        descriptions = entry.get("descriptions")
+        if descriptions is None:
+            yield entry | {"places": places}
+            continue
+        for number, description in enumerate(descriptions):
+            place = (entry["name"], number - len(descriptions))
+            yield from flat(description["objects"], (*places, place))
+
+
 class Solid:
     def __init__(self, model, data):
         self.model, self.name = model, data.get("name", "?")
+        self.places = data["places"]
         self.vertices = [exact(v) for v in data["vertices"]]
         self.faces = [f["vertices"] if isinstance(f, dict) else f for f in data["faces"]]
         self.normals = [normal_of([self.vertices[i] for i in f]) for f in self.faces]
@@ -73,11 +87,27 @@ class Solid:
 
 def models_of(scene):
     """(model name, objects) of the fixed system; (system, model name, objects) of the moving."""
-    fixed = [(m["name"], m["objects"]) for m in scene.get("models", [])]
+    fixed = [(m["name"], list(flat(m["objects"]))) for m in scene.get("models", [])]
     if "objects" in scene:
-        fixed.append(("", scene["objects"]))
-    moving = [(s, m["name"], m["objects"]) for s in scene.get("systems", []) for m in s["models"]]
+        fixed.append(("", list(flat(scene["objects"]))))
+    moving = [(s, m["name"], list(flat(m["objects"])))
+              for s in scene.get("systems", []) for m in s["models"]]
     return fixed, moving
+
+
+def shown_together(a, b):
+    """False for two descriptions of one choice."""
+    ours, theirs = dict(a.places), dict(b.places)
+    return all(theirs.get(choice, number) == number for choice, number in ours.items())
+
+
+def variants(solids):
+    """What stands with every choice at its most, and at its least detailed description."""
+    places = {place for solid in solids for place in solid.places}
+    most = [s for s in solids if all(number == -1 for _, number in s.places)]
+    least = [s for s in solids
+             if not any((choice, number - 1) in places for choice, number in s.places)]
+    return [most] if len(most) == len(solids) else [most, least]
 
 
 def check_polygon(where, points):
@@ -136,10 +166,13 @@ def check_scene(path):
         check_polygon(f"{path.name}: ground face {number}", points)
     for group in [solids] + [group for _, group in movers]:
         for a, b in combinations(group, 2):
-            if len(a.faces) > 1 and len(b.faces) > 1 and not apart(a, b):
+            if (len(a.faces) > 1 and len(b.faces) > 1 and shown_together(a, b)
+                    and not apart(a, b)):
                 fault(path.name, f"{a.model} {a.name} and {b.model} {b.name} overlap")
     if path.name != "fuchs-blocks.json":  # its ring of bars cannot be parted
-        check_separable(path.name, solids, [group for _, group in movers])
+        check_separable(path.name, [s for s in solids if not s.places],
+                        [group for _, group in movers])
+    check_choices(path.name, solids)
     check_traffic(path.name, solids, movers)
     report(path.name, solids + [s for _, group in movers for s in group], ground)
     return solids
@@ -155,6 +188,22 @@ def check_separable(name, fixed, moving):
             divide(f"{name}: {group[0].model}", {s.name: s.vertices for s in group}, group)
     points = {model: [v for s in group for v in s.vertices] for model, group in models.items()}
     divide(f"{name}: models", points, fixed)
+
+
+def check_choices(name, solids):
+    """The same for choices, whose descriptions stand as one, and within each description shown."""
+    choices = {}
+    for solid in solids:
+        if solid.places:
+            choices.setdefault(solid.places[0][0], []).append(solid)
+    if not choices:
+        return
+    points = {choice: [v for s in group for v in s.vertices] for choice, group in choices.items()}
+    wide_first = sorted(solids, key=lambda s: s.low[0] - s.high[0] + s.low[1] - s.high[1])
+    divide(f"{name}: choices", points, wide_first)
+    for choice, group in choices.items():
+        for standing in variants(group):
+            divide(f"{name}: {choice}", {s.name: s.vertices for s in standing}, standing)
 
 
 def divide(where, points, solids):

@@ -208,7 +208,8 @@ def ground_face(plan, colour):
 
 # --- Writing -----------------------------------------------------------------------------------
 
-OPENED = ("systems", "models", "objects", "faces", "ground", "motion")  # an entry a line
+OPENED = ("systems", "models", "objects", "descriptions", "faces", "ground",
+          "motion")  # an entry a line
 
 
 def indented(key, value, depth):
