@@ -17,9 +17,10 @@ struct Format {
   Reader reader;
 };
 
-constexpr std::array<Format, 11> kFormats{{{"json", read_json},
+constexpr std::array<Format, 12> kFormats{{{"json", read_json},
                                            {"cbor", read_json},
                                            {"deck", read_deck},
+                                           {"cards", read_cards},
                                            {"obj", read_obj},
                                            {"ac", read_mesh},
                                            {"gltf", read_mesh},

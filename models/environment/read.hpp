@@ -24,12 +24,13 @@ struct ReadResult {
 };
 
 /// Reads .json and .cbor (the project's own, docs/scene-format.md), .deck (Stump 1986, app. A),
-/// .obj, .ply, and through Assimp .ac, .gltf, .glb, .stl, .off, .3ds.
+/// .cards (Pfister, cards.hpp), .obj, .ply, and through Assimp .ac, .gltf, .glb, .stl, .off, .3ds.
 /// Throws InputError on anything unusable.
 ReadResult read_environment(const std::filesystem::path& file);
 
 ReadResult read_json(const std::filesystem::path& file);
 ReadResult read_deck(const std::filesystem::path& file);
+ReadResult read_cards(const std::filesystem::path& file);
 ReadResult read_obj(const std::filesystem::path& file);
 ReadResult read_ply(const std::filesystem::path& file);
 ReadResult read_mesh(const std::filesystem::path& file);
