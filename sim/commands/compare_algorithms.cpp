@@ -167,18 +167,25 @@ std::string survey_columns(const Algorithm& algorithm) {
 }
 
 void print_differences(const Comparison& comparison) {
-  for (const Result& result : comparison.results)
-    if (result.differs > 0)
-      fmt::print("{}: {} elements differ from the machine's picture{}\n", result.algorithm->name,
-                 result.differs,
-                 result.algorithm->limit.empty()
-                     ? std::string()
-                     : fmt::format("; as published it cannot show {}", result.algorithm->limit));
+  const bool depth_agrees = comparison.results.back().differs == 0;
+  for (const Result& result : comparison.results) {
+    if (result.differs == 0) continue;
+    const std::string_view limit = result.algorithm->limit;
+    fmt::print("{}: {} elements differ from the machine's picture{}\n", result.algorithm->name,
+               result.differs,
+               depth_agrees && !limit.empty()
+                   ? fmt::format("; as published it cannot show {}", limit)
+                   : std::string());
+  }
   if (comparison.differs() == 0)
     fmt::print("Every element of every picture is that of the machine's functional level.\n");
   else if (comparison.faults > 0)
-    fmt::print("The machine has no right order in this view: {} listability faults.\n",
+    fmt::print("The machine has no right order here (listability faults: {}).\n",
                comparison.faults);
+  else if (!depth_agrees)
+    fmt::print(
+        "The machine's order is not that of depth: something passes through what preparation has\n"
+        "not cut for it, as models that move into each other do.\n");
 }
 
 void print_table(const std::string& scene, const Comparison& c) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <utility>
 
+#include "models/frame_calculator/detail.hpp"
 #include "models/frame_calculator/functional.hpp"
 #include "models/survey/clipping/cluster_clip.hpp"
 #include "models/survey/clipping/edge_clip.hpp"
@@ -15,7 +17,10 @@ namespace {
 class SceneClip {
  public:
   SceneClip(const Database& database, const ViewTransform& view, double view_plane)
-      : hierarchy_(database.systems[0].hierarchy), set_(database.systems[0].set), view_(view) {
+      : hierarchy_(database.systems[0].hierarchy),
+        set_(database.systems[0].set),
+        view_(view),
+        choices_(hierarchy_, view, 1) {
     const Exact d(view_plane), scale(d / Exact(view.focal));
     box_ = {d, Exact(scale * Exact(view.raster.width) / 2),
             Exact(scale * Exact(view.raster.height) / 2)};
@@ -48,10 +53,10 @@ class SceneClip {
   void group(std::uint32_t root) {
     std::vector<std::uint32_t> waiting{root};
     while (!waiting.empty()) {
-      const Group& at = hierarchy_.groups[waiting.back()];
+      const std::span<const Member> members = members_of(hierarchy_.groups[waiting.back()]);
       waiting.pop_back();
-      for (std::uint32_t m = at.first_member; m < at.first_member + at.member_count; ++m) {
-        const Member& member = hierarchy_.members[m];
+      for (const Member& member : members) {
+        if (member.placeholder) continue;
         if (!member.is_group) {
           item(set_, set_.items[member.index]);
           continue;
@@ -67,16 +72,23 @@ class SceneClip {
     }
   }
 
-  std::uint64_t items_below(std::uint32_t root) const {
+  // Of a thing with several descriptions, the one that is shown.
+  std::span<const Member> members_of(const Group& group) {
+    const std::span<const Member> all(hierarchy_.members.data() + group.first_member,
+                                      group.member_count);
+    return group.choice == kNone ? all : all.subspan(choices_.member(group), 1);
+  }
+
+  std::uint64_t items_below(std::uint32_t root) {
     std::uint64_t count = 0;
     std::vector<std::uint32_t> waiting{root};
     while (!waiting.empty()) {
-      const Group& at = hierarchy_.groups[waiting.back()];
+      const std::span<const Member> members = members_of(hierarchy_.groups[waiting.back()]);
       waiting.pop_back();
-      for (std::uint32_t m = at.first_member; m < at.first_member + at.member_count; ++m)
-        if (hierarchy_.members[m].is_group)
-          waiting.push_back(hierarchy_.members[m].index);
-        else
+      for (const Member& member : members)
+        if (member.is_group)
+          waiting.push_back(member.index);
+        else if (!member.placeholder)
           ++count;
     }
     return count;
@@ -129,6 +141,7 @@ class SceneClip {
   const PriorityHierarchy& hierarchy_;
   const FaceSet& set_;
   const ViewTransform& view_;
+  frame_calculator::Choices choices_;
   ViewBox<Exact> box_;
   ViewBox<double> rounded_;
   double smallest_ = 0;
