@@ -16,7 +16,8 @@ TEST(ReadEnvironment, WhatIsNoSceneFileSaysWhatToDo) {
     return message.substr(std::min(file.string().size(), message.size()));
   };
   const std::string endings =
-      "give a scene whose name ends in .json, .cbor, .deck, .obj, .ac, .gltf, .glb, .ply, .stl, "
+      "give a scene whose name ends in .json, .cbor, .deck, .cards, .obj, .ac, .gltf, .glb, .ply, "
+      ".stl, "
       ".off or .3ds";
   EXPECT_EQ(error(scratch.write("a.txt", "x")), ": has the unknown ending .txt; " + endings);
   EXPECT_EQ(error(scratch.write("scene", "x")), ": has no ending; " + endings);
