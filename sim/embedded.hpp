@@ -6,7 +6,7 @@
 
 namespace cigsim {
 
-/// "airfield.json" and "airfield-approach.csv".
+/// "airfield.json", "airfield-approach.csv" and "levine-city.json".
 std::span<const EmbeddedFile> embedded_scenes();
 
 }  // namespace cigsim
