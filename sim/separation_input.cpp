@@ -38,6 +38,11 @@ SeparationInput read_separation_input(const std::filesystem::path& file) {
                        "object " + std::to_string(o + 1) + " has no faces; remove it");
   if (input.scene.objects.empty())
     throw InputError(file.string(), 0, "holds no object to separate; add one");
+  if (input.scene.objects.size() > kMostSeparated)
+    throw InputError(file.string(), 0,
+                     "holds " + std::to_string(input.scene.objects.size()) + " objects; at most " +
+                         std::to_string(kMostSeparated) +
+                         " are separated whole, use cigsim prepare");
   input.deck.objects = input.scene.objects;
   return input;
 }

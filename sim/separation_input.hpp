@@ -9,6 +9,9 @@
 
 namespace cigsim {
 
+/// Objects at most: dividing takes time with the cube of their number.
+inline constexpr std::size_t kMostSeparated = 512;
+
 struct SeparationInput {
   StumpDeck deck;
   Environment scene;  ///< the same objects, and what else the file holds

@@ -110,8 +110,12 @@ class Prover {
   void look(const PairPlanes& planes, const std::array<std::uint32_t, 3>& m) {
     const std::array<EyeSide, 3> sides{planes.when_first(m[0], m[1]), planes.when_first(m[1], m[2]),
                                        planes.when_first(m[2], m[0])};
-    for (const EyeSide& s : sides)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const EyeSide &s = sides[k], &next = sides[(k + 1) % 3];
       if (s.plane == kNoPlane) return;
+      // No eye is on both sides of a plane; of a division every three have two pairs on one.
+      if (s.plane == next.plane && s.eye_true != next.eye_true) return;
+    }
     if (eyes_.can_see(sides)) found_.push_back({m, sides});
   }
 

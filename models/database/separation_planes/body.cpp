@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "models/database/hull/hull.hpp"
 #include "models/database/surface.hpp"
 
 namespace cigsim::separation_planes {
@@ -144,7 +145,11 @@ Object object_of(const Body& body, const std::string& name) {
   Object object;
   object.name = name;
   for (const Corner& corner : body.corners) object.vertices.push_back(corner.rounded);
-  for (const auto& face : body.faces) object.faces.push_back({face, std::nullopt});
+  const bool exact = std::none_of(body.corners.begin(), body.corners.end(),
+                                  [](const Corner& corner) { return corner.exact.has_value(); });
+  const auto faces =
+      exact ? body.faces : hull_facets(object.vertices, convex_hull(object.vertices));
+  for (const auto& face : faces) object.faces.push_back({face, std::nullopt});
   return object;
 }
 

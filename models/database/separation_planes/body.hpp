@@ -30,7 +30,7 @@ struct Body {
 /// convex body stay as they are.
 Body body_of(const Object& object, std::uint32_t number);
 
-/// The body as an object, corners rounded.
+/// The body as an object, corners rounded: where that moves them, with the faces of their hull.
 Object object_of(const Body& body, const std::string& name);
 
 /// Where a body lies at a plane, exactly. Touching the plane does not count.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "models/database/separation_planes/candidates.hpp"
 
+#include <cmath>
 #include <set>
 
 #include "models/database/polygon.hpp"
@@ -25,6 +26,10 @@ std::vector<Edge> edges_of(const Body& body) {
 }
 
 bool has_normal(const Plane& plane) {
+  const Vec3 &near = plane.normal, &error = plane.error;
+  if (std::abs(near.x) > 2 * error.x || std::abs(near.y) > 2 * error.y ||
+      std::abs(near.z) > 2 * error.z)
+    return true;
   const ExactVec n = exact_normal(plane);
   return sgn(n.x) != 0 || sgn(n.y) != 0 || sgn(n.z) != 0;
 }

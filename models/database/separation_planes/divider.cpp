@@ -10,8 +10,8 @@ namespace {
 
 using Set = std::vector<std::uint32_t>;
 
-// Planes through corners tried at most for a set.
-constexpr std::uint64_t kMostCornerPlanes = 500000;
+// Planes tried at most for a set.
+constexpr std::uint64_t kMostEdgePlanes = 500000, kMostCornerPlanes = 500000;
 
 struct Sides {
   std::size_t on_true = 0, on_false = 0, cut = 0;
@@ -97,12 +97,14 @@ class Divider {
   // A plane that divides the bodies, from their edges and corners.
   std::optional<Candidate> further_candidate(const Set& set) const {
     std::optional<Candidate> found;
+    std::uint64_t tried = 0;
     const auto take = [&](const Candidate& candidate) {
+      ++tried;
       if (candidate_divides(candidate.plane, set)) found = candidate;
       return !found;
     };
-    for (std::size_t i = 0; i < set.size() && !found; ++i)
-      for (std::size_t j = 0; j < i && !found; ++j) {
+    for (std::size_t i = 0; i < set.size() && !found && tried < kMostEdgePlanes; ++i)
+      for (std::size_t j = 0; j < i && !found && tried < kMostEdgePlanes; ++j) {
         const Body &a = table_.bodies()[set[j]], &b = table_.bodies()[set[i]];
         for_each_edge_plane(a, b, {Origin::kEdges, a.object, b.object}, take);
       }
