@@ -130,6 +130,16 @@ void add_wire(const Object& object, std::uint32_t number, PartSet& set, Notices&
     set.parts.push_back(std::move(part));
 }
 
+// Of things with levels of detail the most detailed one.
+bool most_detailed(const Environment& environment, std::optional<DescriptionRef> within) {
+  while (within) {
+    const Choice& choice = environment.choices[within->choice];
+    if (within->description != choice.thresholds.size()) return false;
+    within = choice.within;
+  }
+  return true;
+}
+
 }  // namespace
 
 PartSet scene_parts(const Environment& environment, std::span<const Placement> placements,
@@ -137,6 +147,7 @@ PartSet scene_parts(const Environment& environment, std::span<const Placement> p
   PartSet set;
   for (std::uint32_t o = 0; o < environment.objects.size(); ++o) {
     const Object& object = environment.objects[o];
+    if (!most_detailed(environment, object.within)) continue;
     const Object here = placed(object, placements[environment.models[object.model].system]);
     const bool wire = std::find(wires.begin(), wires.end(), o + 1) != wires.end();
     (wire ? add_wire : add_object)(here, o + 1, set, notices);
