@@ -2,7 +2,7 @@
 // One step of priority_resolver from any values in its registers, by rules PR2 to PR8 of
 // docs/machine/priority_resolver.md. What its active set answers is any answer (active_set_proof.sv
 // is of the active set itself).
-// registers: at_q start_q shown_q valid_q face_q first_q end_q last_q closing_q closing_two_q closing_first_q closing_middle_q closing_shown_q any first_face entered taken_out set_clear=active_set.clear_i set_pass=active_set.pass_i set_face=active_set.face_i set_left=active_set.left_i
+// registers: at_q start_q shown_q valid_q face_q first_q end_q last_q closing_q closing_two_q closing_first_q closing_middle_q closing_shown_q any=active_set.any_o first_face=active_set.first_o entered=active_set.entered_o taken_out=active_set.taken_out_o set_clear=active_set.clear_i set_pass=active_set.pass_i set_face=active_set.face_i set_left=active_set.left_i
 module priority_resolver_proof #(
     parameter int Faces = 64
 ) (
