@@ -15,8 +15,6 @@ struct LineEdge {
   std::uint32_t edge = 0, face = 0;
   std::uint16_t element = 0;
   bool left = false;
-
-  friend bool operator==(const LineEdge&, const LineEdge&) = default;
 };
 
 /// How the active edges of a line are put in order.
@@ -31,7 +29,6 @@ class ScanLines {
 
   /// Goes on to the next line, from 0.
   void next();
-  int line() const { return line_; }
   /// In the order of elements; at one element right edges come first. Edges of a face that covers
   /// no element of the line are left out.
   const std::vector<LineEdge>& edges() const { return sorted_; }
