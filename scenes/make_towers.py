@@ -9,8 +9,8 @@ from scene_tools import Body, Frame, box, ring, scaled, taper, upright, write_sc
 
 COLOURS = [[214, 84, 62], [232, 164, 60], [104, 172, 88], [84, 120, 200], [150, 100, 184]]
 ROWS = 8              # of two towers each
-PITCH = 30
-TOWER_UP_TO = [10, 40]  # elements: the box, then the prism
+PITCH = 120
+TOWER_UP_TO = [12, 40]  # elements: the box, then the prism
 MAST_UP_TO = [5]
 
 
@@ -47,12 +47,12 @@ def tower(number, x, y):
 
 
 def main():
-    objects = [tower(2 * row + side + 1, PITCH * side - 15, PITCH * row)
+    objects = [tower(2 * row + side + 1, 40 * side - 20, PITCH * row)
                for row in range(ROWS) for side in range(2)]
-    ground = [{"vertices": [[-60, -80, 0], [60, -80, 0], [60, 260, 0], [-60, 260, 0]],
+    ground = [{"vertices": [[-90, -80, 0], [90, -80, 0], [90, 960, 0], [-90, 960, 0]],
                "colour": [78, 92, 80]}]
     scene = {"cigsim": 1, "name": "levine towers", "background": [36, 44, 64],
-             "view": {"eye": [0, -60, 14], "look_at": [0, 105, 16], "fov": 50},
+             "view": {"eye": [0, -60, 14], "look_at": [0, 105, 18], "fov": 50},
              "sun": {"azimuth": 215, "elevation": 50}, "objects": objects, "ground": ground}
     write_scene(Path(__file__).resolve().parent / "levine-towers.json", scene)
 

@@ -2,8 +2,10 @@
 #include "models/database/detail/detail_partition.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "models/database/hierarchy.hpp"
+#include "models/database/sphere/sphere.hpp"
 
 namespace cigsim {
 namespace {
@@ -13,6 +15,9 @@ using ItemList = std::vector<std::uint32_t>;
 // How often choices may be cut along, before those that a plane must cut are given up.
 constexpr int kPassesWithCuts = 3;
 
+// Beyond this a smallest sphere may not fit into doubles.
+constexpr double kLargest = 0x1p1000;
+
 Sphere sphere_around(const WorkSet& work, const WorkItem& item) {
   std::vector<Vec3> points;
   for (std::uint32_t p = item.first_polygon; p < item.first_polygon + item.polygon_count; ++p) {
@@ -20,7 +25,11 @@ Sphere sphere_around(const WorkSet& work, const WorkItem& item) {
     for (std::uint32_t c = 0; c < polygon.corner_count; ++c)
       points.push_back(work.vertex(work.corners(polygon)[c]));
   }
-  return enclosing(points);
+  for (const Vec3& p : points)
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kLargest)
+      return enclosing(points);
+  const BoundingSphere smallest = minimum_sphere(points);
+  return {smallest.centre, smallest.radius};
 }
 
 // One attempt: composites from the innermost choices out, then the partition.
