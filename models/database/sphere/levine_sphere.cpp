@@ -65,7 +65,9 @@ class LevineSearch {
 
   // Exactly the two points farthest apart: where doubles cannot tell, whole numbers do.
   std::array<std::size_t, 2> farthest_pair() const {
-    const double most = largest_distance();
+    // Squares below the underflow room are not worth comparing.
+    double most = largest_distance();
+    if (most < 0x1p-900) most = 0;
     std::array<std::size_t, 2> best{1, 2};
     Whole best_distance = -1;
     for_each_pair([&](std::size_t i, std::size_t j, double distance) {

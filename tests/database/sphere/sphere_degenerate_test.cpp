@@ -125,6 +125,8 @@ TEST(SphereDegenerate, CoordinatesOfVeryDifferentSizesTogether) {
   expect_smallest({{0, 0, 0}, {1e300, 0, 0}, {0, 1e-300, 0}, {0, 0, 5e-324}}, 0, -1);
   expect_smallest({{1, 1, 1}, {1, 1, 1 + 0x1p-52}, {1, 1 + 0x1p-52, 1}}, 2, -1);
   expect_smallest({{1, 1e-200, 0}, {1, -1e-200, 0}, {1, 0, 1e-200}, {1, 0, -1.5e-200}}, 0, -1);
+  expect_smallest({{1, 0, 0}, {1, 1.5e-160, 0}, {1, 0, 1.49e-160}, {1, 1e-170, 1.4999999e-160}}, 0,
+                  -1);
   expect_smallest({{1e17, 1e17, 1e17}, {1e17 + 16, 1e17, 1e17}, {1e17, 1e17 + 32, 1e17}}, 0, -1);
 }
 
