@@ -8,7 +8,6 @@
 #include "sim/arguments.hpp"
 
 namespace cigsim {
-namespace {
 
 bool is_deck(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
@@ -16,8 +15,6 @@ bool is_deck(const std::filesystem::path& file) {
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return ending == ".deck";
 }
-
-}  // namespace
 
 SeparationInput read_separation_input(const std::filesystem::path& file) {
   if (is_database(file))

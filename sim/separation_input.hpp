@@ -18,6 +18,9 @@ struct SeparationInput {
   std::vector<Notice> notices;
 };
 
+/// True when the file's name ends in .deck.
+bool is_deck(const std::filesystem::path& file);
+
 /// Throws InputError, and UsageError for a prepared database and for a scene with placed or moving
 /// systems.
 SeparationInput read_separation_input(const std::filesystem::path& file);

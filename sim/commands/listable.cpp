@@ -27,10 +27,6 @@ struct Options {
   bool json = false;
 };
 
-bool is_deck(const std::optional<std::string>& scene) {
-  return scene && std::filesystem::path(*scene).extension() == ".deck";
-}
-
 // A deck brings no table; the separation program makes one.
 LoadedScene load_deck(const Options& options) {
   const SeparationInput input = read_separation_input(*options.scene);
@@ -57,8 +53,9 @@ std::string eye_text(const EyeReport& report, const std::string& eye) {
 int listable(const Options& options) {
   std::optional<Vec3> eye;
   if (options.eye) eye = parse_vector("--eye", *options.eye);
-  const LoadedScene scene =
-      is_deck(options.scene) ? load_deck(options) : load_scene(options.scene, options.preparation);
+  const LoadedScene scene = options.scene && is_deck(*options.scene)
+                                ? load_deck(options)
+                                : load_scene(options.scene, options.preparation);
   const SceneProof proof = prove_scene(
       scene.database,
       options.preparation.contact_tolerance.value_or(PrepareOptions{}.contact_tolerance));

@@ -2,10 +2,9 @@
 // cigsim separate: Stump's separation program (1986), as published and improved.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <filesystem>
 #include <memory>
 
-#include "models/database/database_file.hpp"
 #include "models/database/prepare.hpp"
 #include "models/database/separation_planes/separation_scene.hpp"
 #include "models/environment/write.hpp"
@@ -84,7 +83,12 @@ int improved(const Options& options, const SeparationInput& input) {
 }
 
 int separate_command(const Options& options) {
-  if (!options.output.empty()) check_ending("-o", options.output, {"json", "cbor"});
+  if (!options.output.empty()) {
+    check_ending("-o", options.output, {"json", "cbor"});
+    std::error_code none;
+    if (std::filesystem::equivalent(options.deck, options.output, none))
+      throw UsageError(fmt::format("-o: {} is the input; name another file", options.output));
+  }
   const SeparationInput input = read_separation_input(options.deck);
   for (const Notice& notice : input.notices)
     fmt::print(stderr, "notice: {} {}\n", notice.count, notice.what);
