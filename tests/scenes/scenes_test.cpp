@@ -20,15 +20,15 @@ struct Shipped {
 };
 
 const Shipped kShipped[] = {
-    {"stump-reassigned.json", 4, 24, 48, 0},
-    {"levine-towers.json", 336, 2592, 5760, 1}, {"airfield.json", 158, 1011, 1957, 116},
-    {"levine-cubes-4.json", 4, 24, 48, 0},      {"levine-cubes-8.json", 8, 48, 96, 0},
-    {"levine-cubes-16.json", 16, 96, 192, 0},   {"levine-cubes-24.json", 24, 144, 288, 0},
-    {"levine-cubes-32.json", 32, 192, 384, 0},  {"levine-cubes-48.json", 48, 288, 576, 0},
-    {"levine-city.json", 16, 96, 192, 0},       {"fuchs-overlap.json", 3, 3, 12, 0},
-    {"stump-case-1.deck", 2, 12, 24, 0},        {"stump-case-2.deck", 4, 24, 48, 0},
-    {"stump-case-3.deck", 5, 30, 60, 0},        {"stump-not-listable.json", 4, 24, 48, 0},
-    {"fuchs-house.json", 2, 11, 21, 0},         {"fuchs-blocks.json", 12, 72, 144, 0},
+    {"stump-reassigned.json", 4, 24, 48, 0},   {"levine-towers.json", 336, 2592, 5760, 1},
+    {"airfield.json", 158, 1011, 1957, 116},   {"levine-cubes-4.json", 4, 24, 48, 0},
+    {"levine-cubes-8.json", 8, 48, 96, 0},     {"levine-cubes-16.json", 16, 96, 192, 0},
+    {"levine-cubes-24.json", 24, 144, 288, 0}, {"levine-cubes-32.json", 32, 192, 384, 0},
+    {"levine-cubes-48.json", 48, 288, 576, 0}, {"levine-city.json", 16, 96, 192, 0},
+    {"fuchs-overlap.json", 3, 3, 12, 0},       {"stump-case-1.deck", 2, 12, 24, 0},
+    {"stump-case-2.deck", 4, 24, 48, 0},       {"stump-case-3.deck", 5, 30, 60, 0},
+    {"stump-not-listable.json", 4, 24, 48, 0}, {"fuchs-house.json", 2, 11, 21, 0},
+    {"fuchs-blocks.json", 12, 72, 144, 0},
 };
 
 std::filesystem::path scenes() { return std::filesystem::path(CIGSIM_SOURCE_DIR) / "scenes"; }
