@@ -50,7 +50,7 @@ TEST_F(CommandHiddenLine, DecksOfPfister) {
   const Outcome run =
       cigsim({"hidden-line", kScenes + "pfister-notch.cards", "-o", "n.svg", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(nlohmann::json::parse(run.out)["figures"], 9);
+  EXPECT_EQ(nlohmann::json::parse(run.out)["figures"], 10);
 }
 
 TEST_F(CommandHiddenLine, UnusableInput) {
