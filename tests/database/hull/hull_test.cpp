@@ -22,8 +22,8 @@ std::string trace(PointDistribution d, std::size_t count, std::uint32_t number) 
 
 TEST(Hull, IsTheHullOnAllOfLevinesDistributions) {
   for (const PointDistribution d : kPointDistributions)
-    for (const std::uint32_t count : {25u, 60u, 200u})
-      for (std::uint32_t number = 0; number < 3; ++number) {
+    for (const std::uint32_t count : {25u, 50u, 120u})
+      for (std::uint32_t number = 0; number < 2; ++number) {
         SCOPED_TRACE(trace(d, count, number));
         const auto points = random_points(d, count, kSeed, number);
         const Hull fast = convex_hull(points), levine = levine_hull(points);

@@ -19,8 +19,8 @@ constexpr std::uint64_t kSeed = 1975;
 
 TEST(MinimumSphere, IsSmallestOnAllOfLevinesDistributions) {
   for (const PointDistribution d : kPointDistributions)
-    for (const std::uint32_t count : {4u, 25u, 200u, 3200u})
-      for (std::uint32_t number = 0; number < 3; ++number) {
+    for (const std::uint32_t count : {4u, 25u, 200u, 2200u})
+      for (std::uint32_t number = 0; number < 2; ++number) {
         SCOPED_TRACE(std::string(name_of(d)) + ", " + std::to_string(count) + " points, case " +
                      std::to_string(number));
         const auto points = random_points(d, count, kSeed, number);
@@ -29,7 +29,7 @@ TEST(MinimumSphere, IsSmallestOnAllOfLevinesDistributions) {
 }
 
 TEST(MinimumSphere, IsSmallestOfFewRandomPoints) {
-  for (std::uint32_t seed = 1; seed <= 2000; ++seed) {
+  for (std::uint32_t seed = 1; seed <= 800; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> u(-1, 1);
