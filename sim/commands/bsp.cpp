@@ -11,6 +11,7 @@
 #include "models/database/bsp/build.hpp"
 #include "models/database/bsp/traversal.hpp"
 #include "models/database/database_file.hpp"
+#include "models/environment/detail.hpp"
 #include "models/environment/read.hpp"
 #include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
@@ -63,7 +64,7 @@ void check(const Options& options) {
 Result build(const Options& options) {
   const ReadResult read = read_environment(options.scene);
   Result result;
-  BspPolygons polygons = bsp_polygons(read.environment);
+  BspPolygons polygons = bsp_polygons(most_detailed(read.environment));
   result.faces = polygons.faces;
   result.moving = polygons.moving_objects;
   result.ground = read.environment.ground.size();
