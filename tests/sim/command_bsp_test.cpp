@@ -23,7 +23,7 @@ TEST_F(CommandTest, BspOfTheOverlappingPolygons) {
   const Json file = Json::parse(contents("tree.json"));
   EXPECT_EQ(file["tree"]["polygons"].size(), 5u);
   EXPECT_EQ(file["tree"]["nodes"].size(), 5u);
-  EXPECT_NE(contents("tree.svg").find("A1"), std::string::npos) << "a part of a split polygon";
+  EXPECT_NE(contents("tree.svg").find(">B1<"), std::string::npos) << "a part of a split polygon";
 }
 
 TEST_F(CommandTest, BspTableIsForReading) {
