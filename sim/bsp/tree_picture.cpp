@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/bsp/tree_picture.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,7 +82,7 @@ std::vector<Place> lay_out(const BspTree& tree) {
 std::string node_label(const BspNode& node, const std::vector<std::string>& names) {
   if (node.count == 0) return "–";
   std::string label = names[node.first];
-  if (node.count > 1) label += "+" + std::to_string(node.count - 1);
+  if (node.count > 1) label += fmt::format("+{}", node.count - 1);
   return label;
 }
 
@@ -97,7 +99,7 @@ void draw_tree(SvgDrawing& drawing, const BspTree& tree, const std::vector<Place
       const double x = place.at.x, y = place.at.y;
       drawing.polygon(std::vector<Vec2>{{x, y - 12}, {x + 14, y + 8}, {x - 14, y + 8}},
                       {.fill = "#eeeeee"});
-      drawing.text(words, "+" + std::to_string(sizes[place.node]), 9, SvgAnchor::kMiddle);
+      drawing.text(words, fmt::format("+{}", sizes[place.node]), 9, SvgAnchor::kMiddle);
       continue;
     }
     const BspNode& node = tree.nodes[place.node];
