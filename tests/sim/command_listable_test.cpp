@@ -22,7 +22,10 @@ TEST_F(CommandTest, ListableFindsStumpsCircuit) {
   ASSERT_TRUE(fault["witness"]["eye"].is_array());
   // The witness asked for by itself.
   std::string eye;
-  for (const Json& c : fault["witness"]["eye"]) eye += (eye.empty() ? "" : ",") + c.dump();
+  for (const Json& c : fault["witness"]["eye"]) {
+    if (!eye.empty()) eye += ',';
+    eye += c.dump();
+  }
   const Outcome again =
       cigsim({"listable", kScenes + "stump-not-listable.json", "--eye=" + eye, "--json"});
   EXPECT_EQ(Json::parse(again.out)["from_eye"]["counts"], Json({0, 2, 2, 2}));
