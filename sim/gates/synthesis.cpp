@@ -8,8 +8,8 @@
 #include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
 #include "sim/gates/parts.hpp"
-#include "sim/rtl/sources.hpp"
 #include "sim/program_pipe.hpp"
+#include "sim/rtl/sources.hpp"
 
 namespace cigsim::gates {
 namespace {

@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "sim/arguments.hpp"
+#include "sim/program_pipe.hpp"
 #include "sim/progress.hpp"
 #include "sim/rtl/sources.hpp"
-#include "sim/program_pipe.hpp"
 
 namespace cigsim {
 namespace {
