@@ -221,9 +221,9 @@ int HiddenLines::walk(std::size_t index, std::uint32_t edge, bool reversed, int 
   double from = 0;
   bool visible = count == 0;
   const auto close = [&](double to) {
-    if (to > from && (visible || with_hidden_))
-      pieces_.push_back({static_cast<std::uint32_t>(index), edge, reversed ? 1 - to : from,
-                         reversed ? 1 - from : to, visible});
+    const double low = reversed ? 1 - to : from, high = reversed ? 1 - from : to;
+    if (high > low && (visible || with_hidden_))
+      pieces_.push_back({static_cast<std::uint32_t>(index), edge, low, high, visible});
   };
   for (std::size_t i = 0; i < events_.size();) {
     const Crossing& at = events_[i].at;

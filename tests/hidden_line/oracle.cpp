@@ -146,8 +146,9 @@ std::string check_pieces(const hidden_line::HiddenLines& lines, const ViewTransf
     }
   }
   for (auto& [edge, pieces] : by_edge) {
-    std::sort(pieces.begin(), pieces.end(),
-              [](const Piece& p, const Piece& q) { return p.from < q.from; });
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
+      return std::pair(p.from, p.to) < std::pair(q.from, q.to);
+    });
     double end = 0;
     for (const Piece& piece : pieces) {
       if (std::abs(piece.from - end) > 1e-9)
