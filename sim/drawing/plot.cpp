@@ -70,7 +70,9 @@ std::string plot_words(const Plot& plot, int& next_block, std::string& blocks) {
     if (words.empty()) continue;
     curves += (curves.empty() ? "" : ", ") + words;
   }
-  std::string out = "reset\nset key outside below horizontal noenhanced samplen 2 font ',9'\nset grid lc rgb '#d8d8d8'\n";
+  std::string out =
+      "reset\nset key outside below horizontal noenhanced samplen 2 font ',9'\nset grid lc rgb "
+      "'#d8d8d8'\n";
   out += fmt::format("set title {} noenhanced font ',12'\nset xlabel {} noenhanced\n",
                      in_quotes(plot.title), in_quotes(plot.x_label));
   out += fmt::format("set ylabel {} noenhanced\n", in_quotes(plot.y_label));
