@@ -79,6 +79,20 @@ int decided(double value, double bound) {
   return 0;
 }
 
+// Below the distance of the plane: what is certain of the value over the longest that the exact
+// normal can be. Each operation errs by eps; kSlack is more than all of them together.
+double distance_below(const Plane& plane, const Filtered& f) {
+  constexpr double kSlack = 0x1p-48;
+  const double certain = std::abs(f.value) * (1 - kSlack) - f.bound * (1 + kSlack);
+  const double x = std::abs(plane.normal.x) + plane.error.x,
+               y = std::abs(plane.normal.y) + plane.error.y,
+               z = std::abs(plane.normal.z) + plane.error.z;
+  const double length = std::sqrt(x * x + y * y + z * z) * (1 + kSlack);
+  // Squares that were lost, or none: no clearance.
+  if (!(length > 0x1p-400) || !(length < 0x1p400) || !(certain > kUnderflow)) return 0;
+  return certain / length * (1 - kSlack);
+}
+
 }  // namespace
 
 Plane make_plane(const PlaneDefinition& definition) {
@@ -135,6 +149,13 @@ int side(const Plane& plane, const Vec3& point) {
   if (const auto s = grid_side(plane.exact, point)) return *s;
   ++fallbacks;
   return sign(exact_value(plane, convert<Exact>(point)));
+}
+
+int side(const Plane& plane, const Vec3& point, double& clearance) {
+  const Filtered f = filtered(plane, point);
+  const int s = decided(f.value, f.bound);
+  clearance = s == 0 ? 0 : distance_below(plane, f);
+  return s == 0 ? side(plane, point) : s;
 }
 
 int side(const Plane& plane, const ExactVec& point) {

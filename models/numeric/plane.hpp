@@ -49,6 +49,9 @@ ExactVec exact_normal(const Plane& plane);
 
 /// +1 on the normal's side, -1 on the other, 0 exactly on the plane.
 int side(const Plane& plane, const Vec3& point);
+/// The same, with a clearance: every point of doubles nearer to this one than that is on the same
+/// side, strictly. A lower bound on the distance from the plane; 0 where the filter cannot decide.
+int side(const Plane& plane, const Vec3& point, double& clearance);
 int side(const Plane& plane, const ExactVec& point);
 
 /// Side of the point `exact`, given with a rounding of it that is off by at most one ulp in each
