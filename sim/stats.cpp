@@ -22,17 +22,6 @@ constexpr Stage kStageOf[] = {Stage::kFrameCalculator,   Stage::kGeometryProcess
                               Stage::kPriorityProcessor, Stage::kEdgeOrderer,
                               Stage::kPriorityResolver,  Stage::kVideoProcessor};
 
-Json versions_json() {
-  return {{"cigsim", version()},
-          {"compiler", __VERSION__},
-          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                              FMT_VERSION % 100)},
-          {"gmp", gmp_version},
-          {"libpng", png_get_libpng_ver(nullptr)},
-          {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
-                                        NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
-}
-
 Json options_json(const RunRecord& run) {
   Json out{{"number", name_of(run.machine.number)},
            {"priority", name_of(run.machine.priority)},
@@ -44,6 +33,8 @@ Json options_json(const RunRecord& run) {
            {"detail", run.machine.detail == 0 ? Json("most") : Json(run.machine.detail)}};
   out["path"] = run.path ? Json(*run.path) : Json();
   out["sun"] = run.sun ? Json::array({run.sun->azimuth, run.sun->elevation}) : Json();
+  out["contact_tolerance"] = run.contact_tolerance ? Json(*run.contact_tolerance) : Json();
+  out["eye_reach"] = run.machine.eye_reach;
   return out;
 }
 
@@ -150,6 +141,17 @@ Json frame_json(const FrameRecord& frame, std::size_t number) {
 }  // namespace
 
 const char* version() { return CIGSIM_VERSION; }
+
+Json versions_json() {
+  return {{"cigsim", version()},
+          {"compiler", __VERSION__},
+          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                              FMT_VERSION % 100)},
+          {"gmp", gmp_version},
+          {"libpng", png_get_libpng_ver(nullptr)},
+          {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
+                                        NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
+}
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;

@@ -16,6 +16,9 @@ namespace cigsim {
 /// The program's own version.
 const char* version();
 
+/// That, the compiler's and the libraries'.
+nlohmann::ordered_json versions_json();
+
 /// Middle value (mean of the two middle ones); 0 without values.
 double median(std::vector<double> values);
 
@@ -36,6 +39,7 @@ struct RunRecord {
   std::size_t repeat = 1, frames_wanted = 0;
   std::optional<std::string> path;
   std::optional<Sun> sun;
+  std::optional<double> contact_tolerance;
   bool interrupted = false;
   std::vector<FrameRecord> frames;
 };
