@@ -50,6 +50,17 @@ class Functional {
     if (all_codes_ == 0) process(set, item, face, out);
   }
 
+  /// +1 when the eyepoint is in front of the face, -1 behind, 0 in its plane.
+  static int facing(const Plane& plane, const Vec3& eye) {
+    if constexpr (std::is_same_v<N, float>) {
+      const float value =
+          dot(convert<float>(plane.normal), convert<float>(eye) - convert<float>(plane.exact.p));
+      return value > 0 ? 1 : value < 0 ? -1 : 0;
+    } else {
+      return side(plane, eye);
+    }
+  }
+
  private:
   // Outcode of a point at the eyepoint itself, which lies outside no side plane and has no place on
   // the raster.
@@ -106,17 +117,6 @@ class Functional {
   RasterPoint project(const ViewPoint<N>& p) const {
     const N scale(sides_.focal() / p.u);
     return {N(sides_.half_width() + p.v * scale), N(sides_.half_height() - p.w * scale)};
-  }
-
-  /// +1 when the eyepoint is in front of the face, -1 behind, 0 in its plane.
-  static int facing(const Plane& plane, const Vec3& eye) {
-    if constexpr (std::is_same_v<N, float>) {
-      const float value =
-          dot(convert<float>(plane.normal), convert<float>(eye) - convert<float>(plane.exact.p));
-      return value > 0 ? 1 : value < 0 ? -1 : 0;
-    } else {
-      return side(plane, eye);
-    }
   }
 
   // True when the eyepoint is too near the plane for doubles (see above).
