@@ -9,6 +9,7 @@
 // (Stump 1986, ch. III: a plane resolves each pair of objects on its two sides).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -57,6 +58,14 @@ struct FaceSet {
   std::vector<Plane> planes;
   std::vector<PreparedFace> faces;
   std::vector<Item> items;
+
+  /// The exact position of a cut vertex, or nullptr when the double is exact.
+  const ExactVec* exact(std::uint32_t vertex) const {
+    const auto cut =
+        std::lower_bound(cut_vertices.begin(), cut_vertices.end(), vertex,
+                         [](const CutVertex& c, std::uint32_t v) { return c.vertex < v; });
+    return cut == cut_vertices.end() || cut->vertex != vertex ? nullptr : &cut->position;
+  }
 
   void clear() {
     vertices.clear();

@@ -105,12 +105,8 @@ class Functional {
   }
 
   static Vec3T<N> position(const FaceSet& set, std::uint32_t vertex) {
-    if constexpr (is_exact<N>) {
-      const auto at =
-          std::lower_bound(set.cut_vertices.begin(), set.cut_vertices.end(), vertex,
-                           [](const CutVertex& cut, std::uint32_t v) { return cut.vertex < v; });
-      if (at != set.cut_vertices.end() && at->vertex == vertex) return at->position;
-    }
+    if constexpr (is_exact<N>)
+      if (const ExactVec* exact = set.exact(vertex)) return *exact;
     return convert<N>(set.vertices[vertex]);
   }
 

@@ -68,11 +68,8 @@ class SideChecker {
   }
 
   int side_of(const Plane& plane, std::uint32_t v) const {
-    const auto cut = std::lower_bound(
-        set_.cut_vertices.begin(), set_.cut_vertices.end(), v,
-        [](const CutVertex& c, std::uint32_t vertex) { return c.vertex < vertex; });
-    if (cut == set_.cut_vertices.end() || cut->vertex != v) return side(plane, set_.vertices[v]);
-    return side(plane, set_.vertices[v], cut->position);
+    const ExactVec* exact = set_.exact(v);
+    return exact ? side(plane, set_.vertices[v], *exact) : side(plane, set_.vertices[v]);
   }
 
   struct Depths {

@@ -72,11 +72,8 @@ class Builder {
   }
 
   static ExactVec position(const FaceSet& set, std::uint32_t vertex) {
-    const auto at =
-        std::lower_bound(set.cut_vertices.begin(), set.cut_vertices.end(), vertex,
-                         [](const CutVertex& cut, std::uint32_t v) { return cut.vertex < v; });
-    if (at != set.cut_vertices.end() && at->vertex == vertex) return at->position;
-    return convert<Exact>(set.vertices[vertex]);
+    const ExactVec* exact = set.exact(vertex);
+    return exact ? *exact : convert<Exact>(set.vertices[vertex]);
   }
 
   // The face's loop on the raster, clipped. False: it is outside.
