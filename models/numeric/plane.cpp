@@ -178,15 +178,18 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return side(plane_through(a, b, c), d);
 }
 
-bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Plane plane = plane_through(a, b, c);
-  const Vec3 n = plane.normal, e = plane.error;
+bool has_normal(const Plane& plane) {
+  const Vec3 &n = plane.normal, &e = plane.error;
   if (std::abs(n.x) > e.x * 2 + kUnderflow || std::abs(n.y) > e.y * 2 + kUnderflow ||
       std::abs(n.z) > e.z * 2 + kUnderflow)
-    return false;
+    return true;
   ++fallbacks;
   const ExactVec exact = exact_normal(plane);
-  return sgn(exact.x) == 0 && sgn(exact.y) == 0 && sgn(exact.z) == 0;
+  return sgn(exact.x) != 0 || sgn(exact.y) != 0 || sgn(exact.z) != 0;
+}
+
+bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return !has_normal(plane_through(a, b, c));
 }
 
 std::uint64_t exact_fallbacks() { return fallbacks; }

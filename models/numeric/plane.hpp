@@ -62,6 +62,9 @@ int side(const Plane& plane, const Vec3& rounded, const ExactVec& exact);
 /// run anticlockwise.
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// False when the exact normal is zero.
+bool has_normal(const Plane& plane);
+
 /// True when a, b, c lie on one line (or coincide), decided exactly.
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 

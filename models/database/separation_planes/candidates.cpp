@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "models/database/separation_planes/candidates.hpp"
 
-#include <cmath>
 #include <set>
 
 #include "models/database/polygon.hpp"
@@ -23,15 +22,6 @@ std::vector<Edge> edges_of(const Body& body) {
       if (met.insert(ends).second && !a.exact && !b.exact) edges.push_back({a.rounded, b.rounded});
     }
   return edges;
-}
-
-bool has_normal(const Plane& plane) {
-  const Vec3 &near = plane.normal, &error = plane.error;
-  if (std::abs(near.x) > 2 * error.x || std::abs(near.y) > 2 * error.y ||
-      std::abs(near.z) > 2 * error.z)
-    return true;
-  const ExactVec n = exact_normal(plane);
-  return sgn(n.x) != 0 || sgn(n.y) != 0 || sgn(n.z) != 0;
 }
 
 }  // namespace
@@ -95,9 +85,8 @@ void for_each_corner_plane(std::span<const Body* const> bodies,
   for (std::size_t i = 0; i < corners.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       for (std::size_t k = 0; k < j; ++k) {
-        if (collinear(corners[k], corners[j], corners[i])) continue;
-        if (!visit({plane_through(corners[k], corners[j], corners[i]), {Origin::kCorners, 0, 0}}))
-          return;
+        const Plane plane = plane_through(corners[k], corners[j], corners[i]);
+        if (has_normal(plane) && !visit({plane, {Origin::kCorners, 0, 0}})) return;
       }
 }
 
