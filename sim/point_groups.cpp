@@ -7,22 +7,6 @@
 #include "models/environment/read.hpp"
 
 namespace cigsim {
-namespace {
-
-std::vector<Vec3> placed_vertices(const Environment& environment, const Object& object) {
-  const CoordinateSystem& system =
-      environment.systems.at(environment.models.at(object.model).system);
-  const Placement placement =
-      system.motion.empty() ? system.placement : system.motion.front().placement;
-  if (placement == Placement{}) return object.vertices;
-  const Placing place(placement);
-  std::vector<Vec3> out;
-  out.reserve(object.vertices.size());
-  for (const Vec3& v : object.vertices) out.push_back(place(v));
-  return out;
-}
-
-}  // namespace
 
 std::vector<PointGroup> read_point_groups(const std::filesystem::path& file, bool per_object) {
   if (is_point_file(file)) return {{"points", read_points(file)}};
@@ -33,8 +17,8 @@ std::vector<PointGroup> read_point_groups(const std::filesystem::path& file, boo
     if (object.vertices.empty()) continue;
     if (per_object) groups.push_back({object.name, {}});
     std::vector<Vec3>& points = groups.back().points;
-    const std::vector<Vec3> placed = placed_vertices(environment, object);
-    points.insert(points.end(), placed.begin(), placed.end());
+    const std::vector<Vec3> here = placed(object.vertices, first_placement(environment, object));
+    points.insert(points.end(), here.begin(), here.end());
   }
   if (groups.empty() || groups.front().points.empty())
     throw InputError(file.string(), 0, "has no vertices of objects; name a scene that has some");

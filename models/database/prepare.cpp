@@ -41,12 +41,6 @@ Colour face_colour(const Preparation& p, std::uint32_t object, const Face& face,
 // Systems without motion belong to the environment's own once they are placed.
 bool stands_still(const CoordinateSystem& system) { return system.motion.empty(); }
 
-Object placed(Object object, const Placement& placement) {
-  const Placing place(placement);
-  for (Vec3& v : object.vertices) v = place(v);
-  return object;
-}
-
 // Adds the faces of a surface to the working set; `origin_of` tells where a face comes from, and
 // `added` is called after each.
 template <class OriginOf, class Added>
@@ -67,10 +61,8 @@ void add_object(Preparation& p, WorkSet& set, std::uint32_t object, std::uint32_
   const Object& source_object = p.environment.objects[object];
   const CoordinateSystem& system =
       p.environment.systems[p.environment.models[source_object.model].system];
-  const Surface surface = make_surface(stands_still(system) && !(system.placement == Placement{})
-                                           ? placed(source_object, system.placement)
-                                           : source_object,
-                                       p.notices);
+  const Surface surface = make_surface(
+      stands_still(system) ? placed(source_object, system.placement) : source_object, p.notices);
   if (!p.environment.separation.empty() && !surface.convex)
     throw InputError(p.file, 0,
                      "object " + std::to_string(object + 1) +

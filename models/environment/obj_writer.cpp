@@ -31,12 +31,6 @@ std::string one_line(std::string name) {
   return name;
 }
 
-Placement first_placement(const Environment& environment, const Object& object) {
-  const CoordinateSystem& system =
-      environment.systems.at(environment.models.at(object.model).system);
-  return system.motion.empty() ? system.placement : system.motion.front().placement;
-}
-
 }  // namespace
 
 void write_obj(const Environment& environment, std::ostream& out) {
@@ -45,16 +39,12 @@ void write_obj(const Environment& environment, std::ostream& out) {
   std::optional<Colour> colour;
   std::string text;
   for (const Object& object : environment.objects) {
-    const Placement placement = first_placement(environment, object);
-    const bool stays = placement == Placement{};
-    const Placing place(placement);
     text.assign("o ").append(one_line(object.name)).append("\n");
     if (!is_most_detailed(environment, object)) {
       out << text;
       continue;
     }
-    for (const Vec3& v : object.vertices) {
-      const Vec3 p = stays ? v : place(v);
+    for (const Vec3& p : placed(object.vertices, first_placement(environment, object))) {
       text += 'v';
       append(text, p.x);
       append(text, p.y);

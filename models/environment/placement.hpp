@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "models/environment/environment.hpp"
 
@@ -52,6 +54,26 @@ class Placing {
   Vec3 origin_;
   Mat3 axes_;
 };
+
+/// Points of a system as they lie in the environment's axes; to the bit as they are where the
+/// placement is none.
+inline std::vector<Vec3> placed(std::vector<Vec3> points, const Placement& placement) {
+  if (placement == Placement{}) return points;
+  const Placing place(placement);
+  for (Vec3& p : points) p = place(p);
+  return points;
+}
+inline Object placed(Object object, const Placement& placement) {
+  object.vertices = placed(std::move(object.vertices), placement);
+  return object;
+}
+
+/// Where the object's system stands, or begins to move.
+inline const Placement& first_placement(const Environment& environment, const Object& object) {
+  const CoordinateSystem& system =
+      environment.systems.at(environment.models.at(object.model).system);
+  return system.motion.empty() ? system.placement : system.motion.front().placement;
+}
 
 /// Angle a share t of the short way round from a to b, degrees.
 inline double turn_towards(double a, double b, double t) {

@@ -7,18 +7,11 @@
 #include <stdexcept>
 
 #include "models/database/surface.hpp"
+#include "models/environment/detail.hpp"
 #include "models/environment/placement.hpp"
 
 namespace cigsim::hidden_line {
 namespace {
-
-Object placed(const Object& object, const Placement& placement) {
-  Object out = object;
-  if (placement == Placement{}) return out;
-  const Placing place(placement);
-  for (Vec3& v : out.vertices) v = place(v);
-  return out;
-}
 
 // Two faces of a surface between which the input has no edge to be seen.
 bool one_face(const Object& object, const Surface& surface, std::uint32_t f, std::uint32_t g) {
@@ -130,16 +123,6 @@ void add_wire(const Object& object, std::uint32_t number, PartSet& set, Notices&
     set.parts.push_back(std::move(part));
 }
 
-// Of things with levels of detail the most detailed one.
-bool most_detailed(const Environment& environment, std::optional<DescriptionRef> within) {
-  while (within) {
-    const Choice& choice = environment.choices[within->choice];
-    if (within->description != choice.thresholds.size()) return false;
-    within = choice.within;
-  }
-  return true;
-}
-
 }  // namespace
 
 PartSet scene_parts(const Environment& environment, std::span<const Placement> placements,
@@ -147,7 +130,7 @@ PartSet scene_parts(const Environment& environment, std::span<const Placement> p
   PartSet set;
   for (std::uint32_t o = 0; o < environment.objects.size(); ++o) {
     const Object& object = environment.objects[o];
-    if (!most_detailed(environment, object.within)) continue;
+    if (!is_most_detailed(environment, object)) continue;
     const Object here = placed(object, placements[environment.models[object.model].system]);
     const bool wire = std::find(wires.begin(), wires.end(), o + 1) != wires.end();
     (wire ? add_wire : add_object)(here, o + 1, set, notices);

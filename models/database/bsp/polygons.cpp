@@ -40,14 +40,7 @@ BspPolygons bsp_polygons(const Environment& environment) {
       continue;
     }
     out.faces += object.faces.size();
-    if (system.placement == Placement{}) {
-      add_object(out, object, o + 1, notices);
-      continue;
-    }
-    Object placed = object;
-    const Placing place(system.placement);
-    for (Vec3& v : placed.vertices) v = place(v);
-    add_object(out, placed, o + 1, notices);
+    add_object(out, placed(object, system.placement), o + 1, notices);
   }
   out.notices = notices.list();
   return out;
