@@ -16,6 +16,8 @@ namespace cigsim {
 inline void add_figures(FrameStats& stats, const priority_processor::Figures& figures,
                         std::vector<ListabilityFault> named) {
   stats.active_items = figures.items;
+  stats.ordered_groups = figures.groups;
+  stats.tested_planes = figures.planes;
   stats.faults = static_cast<std::uint32_t>(figures.faults.size());
   stats.listability = std::move(named);
   stats.overload->dropped_items = figures.dropped;

@@ -52,6 +52,9 @@ struct FrameStats {
   double host_ms = 0;  ///< all stages, without file output
   StageTimes stages;
   std::uint64_t active_items = 0, faces = 0, edges = 0, crossings = 0, spans = 0;
+  /// Groups of which the order was worked out, or kept from the frame before; on machine words all
+  /// that were opened. Planes that were tested for it.
+  std::uint64_t ordered_groups = 0, reused_groups = 0, tested_planes = 0;
   std::uint64_t worst_line_crossings = 0;  ///< most crossings on one line
   std::uint32_t worst_line = 0;            ///< the first line with so many
   /// Choices that were made: how many show their least detailed description, their second, …

@@ -26,7 +26,7 @@ constexpr double kPaintedDepth = 3;
 // The stages that depend on the number type.
 template <class N>
 struct Stages {
-  explicit Stages(PriorityMethod method) : priority(method) {}
+  Stages(PriorityMethod method, bool coherent) : priority(method, coherent) {}
 
   priority_processor::Functional<N> priority;
   geometry_processor::Functional<N> geometry;
@@ -41,14 +41,14 @@ using AnyStages = std::variant<Stages<double>, Stages<float>, Stages<Exact>>;
 AnyStages make_stages(const MachineOptions& options) {
   switch (options.number) {
     case NumberType::kFloat:
-      return Stages<float>(options.priority);
+      return Stages<float>(options.priority, options.coherence);
     case NumberType::kExact:
-      return Stages<Exact>(options.priority);
+      return Stages<Exact>(options.priority, options.coherence);
     case NumberType::kMachine:
     case NumberType::kDouble:
       break;
   }
-  return Stages<double>(options.priority);
+  return Stages<double>(options.priority, options.coherence);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ class FunctionalMachine::Impl {
   Impl(const Database& database, const MachineOptions& options)
       : database_(database),
         options_(options),
-        frame_calculator_(database, options.detail),
+        frame_calculator_(database, options.detail, options.retrieval),
         stages_(make_stages(options)) {
     picture_.fit(options.raster);  // the display's memory is there before the first frame
     if (options.number == NumberType::kMachine)
@@ -140,6 +140,10 @@ class FunctionalMachine::Impl {
     stats_.edges = edges.edges.size();
     // Crossings begin and end with edges: a running sum over the lines gives each line's.
     line_changes_.assign(static_cast<std::size_t>(options_.raster.height) + 1, 0);
+    const priority_processor::OrderingWork& work = stages.priority.work();
+    stats_.ordered_groups = work.ordered_groups;
+    stats_.reused_groups = work.reused_groups;
+    stats_.tested_planes = work.tested_planes;
     for (const Edge<N>& edge : edges.edges) {
       stats_.crossings += static_cast<std::uint64_t>(edge.end_line - edge.first_line);
       ++line_changes_[static_cast<std::size_t>(edge.first_line)];

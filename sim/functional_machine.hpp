@@ -33,6 +33,12 @@ struct MachineOptions {
   /// What the thresholds of levels of detail are multiplied by; 0: the most detailed throughout.
   double detail = 1;
 };
+  /// Only what spheres against the pyramid of vision leave is active; false: everything is. Not on
+  /// machine words.
+  bool retrieval = true;
+  /// Orders of groups are kept while the eyepoint crosses no plane of theirs. The same lists either
+  /// way. Not on machine words.
+  bool coherence = true;
 
 /// Keeps its working memory from frame to frame. One thread.
 class FunctionalMachine {

@@ -26,6 +26,13 @@ void check(const MachineChoices& choices, bool words) {
   if (choices.overload && !words)
     throw UsageError("--overload: only a machine has memories to overflow; take --machine");
   if (!words) return;
+  if (choices.retrieval)
+    throw UsageError(
+        "--retrieval: a machine's memories and words hold what is in view; take --number double");
+  if (choices.coherence)
+    throw UsageError(
+        "--coherence: the machine's own priority processor orders every group in every frame; take "
+        "--number double");
   if (choices.priority != PriorityMethod::kCounters)
     throw UsageError("--priority: the machine's own priority processor has counters");
   if (choices.resolver.value_or(ResolverMethod::kActiveList) != ResolverMethod::kActiveList)
@@ -51,6 +58,8 @@ MachineOptions machine_options(const MachineChoices& choices, const std::optiona
   options.number = words ? NumberType::kMachine : choices.number.value_or(NumberType::kDouble);
   options.priority = choices.priority;
   options.detail = choices.detail;
+  options.retrieval = choices.retrieval.value_or(true);
+  options.coherence = choices.coherence.value_or(true);
   options.resolver =
       words ? ResolverMethod::kActiveList : choices.resolver.value_or(ResolverMethod::kAuto);
   options.raster = raster.value_or(options.raster);
@@ -69,6 +78,10 @@ double parse_detail(const std::string& text) {
     throw UsageError(
         fmt::format("--detail: '{}' is neither a number above 0 nor the word most", text));
   return scale;
+}
+
+bool parse_switch(const char* option, const std::string& text) {
+  return parse_choice<bool>(option, text, {{"on", true}, {"off", false}});
 }
 
 // An option of the group of the machine's.
@@ -141,6 +154,16 @@ void add_machine_options(CLI::App& command, MachineChoices& o) {
       command, "--detail", "SCALE|most", [&o](const Text& t) { o.detail = parse_detail(t); },
       "Multiply the thresholds of levels of detail: 2 shows less detailed descriptions up to twice "
       "their size, 0.5 up to half; most takes the most detailed ones throughout. Default: 1");
+  add(
+      command, "--retrieval", "on|off",
+      [&o](const Text& t) { o.retrieval = parse_switch("--retrieval", t); },
+      "Leave out early what is out of view, by spheres against the pyramid of vision (default), or "
+      "take everything through the machine; not on machine words");
+  add(
+      command, "--coherence", "on|off",
+      [&o](const Text& t) { o.coherence = parse_switch("--coherence", t); },
+      "Keep priorities from frame to frame while the eyepoint crosses no plane (default), or work "
+      "them out in every frame; the same pictures. Not on machine words");
 }
 
 }  // namespace cigsim

@@ -18,7 +18,8 @@ struct MachineChoices {
   std::optional<ResolverMethod> resolver;
   PriorityMethod priority = PriorityMethod::kCounters;
   std::optional<OverloadPolicy> overload;
-  double detail = 1;  ///< MachineOptions::detail
+  double detail = 1;                         ///< MachineOptions::detail
+  std::optional<bool> retrieval, coherence;  ///< none: on where they are a choice
   LevelChoice levels;
 };
 

@@ -31,6 +31,9 @@ Json options_json(const RunRecord& run) {
            {"frames", run.frames_wanted},
            {"repeat", run.repeat},
            {"detail", run.machine.detail == 0 ? Json("most") : Json(run.machine.detail)}};
+  const bool words = run.machine.number == NumberType::kMachine;
+  out["retrieval"] = words ? Json() : Json(run.machine.retrieval);
+  out["coherence"] = words ? Json() : Json(run.machine.coherence);
   out["path"] = run.path ? Json(*run.path) : Json();
   out["sun"] = run.sun ? Json::array({run.sun->azimuth, run.sun->elevation}) : Json();
   out["contact_tolerance"] = run.contact_tolerance ? Json(*run.contact_tolerance) : Json();
@@ -134,6 +137,9 @@ Json frame_json(const FrameRecord& frame, std::size_t number) {
           {"overload", overload_json(stats.overload)},
           {"faults", stats.faults},
           {"listability", listability_json(stats.listability)},
+          {"ordered_groups", stats.ordered_groups},
+          {"reused_groups", stats.reused_groups},
+          {"tested_planes", stats.tested_planes},
           {"exact_tests", stats.exact_tests},
           {"certified", stats.certified}};
 }

@@ -47,7 +47,7 @@ void Functional::compute(const Viewpoint& viewpoint, const Raster& raster, doubl
   out.detail.clear();
   Choices choices(database_.systems[0].hierarchy, out.view, detail_);
   place_moving_models(database_, frame, detail_, choices, out, moving, forced);
-  retrieve(database_.systems[0].hierarchy, out.view, forced, choices, out.groups);
+  retrieve(database_.systems[0].hierarchy, out.view, forced, retrieval_, choices, out.groups);
   choices.count(out.detail);
 }
 

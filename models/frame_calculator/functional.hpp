@@ -21,8 +21,9 @@ Placement placement_at(const PreparedSystem& system, double frame);
 class Functional {
  public:
   /// `detail`: what the thresholds of levels of detail are multiplied by (description_shown()).
-  explicit Functional(const Database& database, double detail = 1)
-      : database_(database), detail_(detail) {}
+  /// `retrieval`: false takes everything as in view.
+  explicit Functional(const Database& database, double detail = 1, bool retrieval = true)
+      : database_(database), detail_(detail), retrieval_(retrieval) {}
 
   void compute(const Viewpoint& viewpoint, const Raster& raster, double frame,
                ActiveEnvironment& out, FaceSet& moving) const;
@@ -30,6 +31,7 @@ class Functional {
  private:
   const Database& database_;
   double detail_;
+  bool retrieval_;
 };
 
 }  // namespace cigsim::frame_calculator

@@ -51,8 +51,14 @@ class Pyramid {
 class Retrieval {
  public:
   Retrieval(const PriorityHierarchy& hierarchy, const ViewTransform& view,
-            const ForcedMembers& forced, Choices& choices, std::vector<ActiveGroup>& out)
-      : hierarchy_(hierarchy), pyramid_(view), forced_(forced), choices_(choices), out_(out) {}
+            const ForcedMembers& forced, bool spheres, Choices& choices,
+            std::vector<ActiveGroup>& out)
+      : hierarchy_(hierarchy),
+        pyramid_(view),
+        forced_(forced),
+        choices_(choices),
+        out_(out),
+        planes_{static_cast<unsigned char>(spheres ? Pyramid::kAllPlanes : 0)} {}
 
   void run() {
     out_.push_back({0, 0, 0});
@@ -89,15 +95,16 @@ class Retrieval {
   Choices& choices_;
   std::vector<ActiveGroup>& out_;
   // By active group: the planes that its members must be tested against.
-  std::vector<unsigned char> planes_{Pyramid::kAllPlanes};
+  std::vector<unsigned char> planes_;
 };
 
 }  // namespace
 
 void retrieve(const PriorityHierarchy& hierarchy, const ViewTransform& view,
-              const ForcedMembers& forced, Choices& choices, std::vector<ActiveGroup>& out) {
+              const ForcedMembers& forced, bool spheres, Choices& choices,
+              std::vector<ActiveGroup>& out) {
   out.clear();
-  if (!hierarchy.groups.empty()) Retrieval(hierarchy, view, forced, choices, out).run();
+  if (!hierarchy.groups.empty()) Retrieval(hierarchy, view, forced, spheres, choices, out).run();
 }
 
 }  // namespace cigsim::frame_calculator

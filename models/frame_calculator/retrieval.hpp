@@ -14,8 +14,10 @@ namespace cigsim::frame_calculator {
 using ForcedMembers = std::unordered_map<std::uint32_t, std::uint64_t>;
 
 /// Conservative: a member is left out only if its sphere is outside beyond all rounding, or if it
-/// is a description that is not shown. `choices` are the hierarchy's.
+/// is a description that is not shown. `choices` are the hierarchy's. Without `spheres` none is
+/// tested: everything that is shown is active.
 void retrieve(const PriorityHierarchy& hierarchy, const ViewTransform& view,
-              const ForcedMembers& forced, Choices& choices, std::vector<ActiveGroup>& out);
+              const ForcedMembers& forced, bool spheres, Choices& choices,
+              std::vector<ActiveGroup>& out);
 
 }  // namespace cigsim::frame_calculator

@@ -5,37 +5,31 @@
 #pragma once
 
 #include <algorithm>
-#include <type_traits>
+#include <limits>
 
 #include "models/boundary/transactions.hpp"
 #include "models/priority_processor/circuit.hpp"
 #include "models/priority_processor/counters.hpp"
+#include "models/priority_processor/eye_side.hpp"
+#include "models/priority_processor/kept_orders.hpp"
 #include "models/priority_processor/so_matrix.hpp"
 
 namespace cigsim::priority_processor {
 
-/// TRUE when the eyepoint is on the normal's side or on the plane. In double and Exact the answer
-/// is exact (a filter, then rational arithmetic); float computes in float.
-template <class N>
-bool eye_on_true_side(const Plane& plane, const Vec3& eye) {
-  if constexpr (std::is_same_v<N, float>) {
-    const Vec3T<float> n = convert<float>(plane.normal), p = convert<float>(plane.exact.p);
-    return dot(n, convert<float>(eye) - p) >= 0;
-  } else {
-    return side(plane, eye) >= 0;
-  }
-}
-
 template <class N>
 class Functional {
  public:
-  explicit Functional(Method method) : method_(method) {}
+  /// `coherent`: orders are kept from frame to frame, and every compute() is for one and the same
+  /// hierarchy. The lists are the same either way.
+  explicit Functional(Method method, bool coherent = false)
+      : method_(method), coherent_(coherent) {}
 
   /// `objects`: the set of the hierarchy's items, which names the objects of a fault.
   void compute(const PriorityHierarchy& hierarchy, const FaceSet& objects,
                const ActiveEnvironment& active, const FaceSet& ground, PriorityList& out) {
     out.items.clear();
     out.faults.clear();
+    work_ = {};
     order_.resize(active.groups.size());
     for (std::size_t g = 0; g < active.groups.size(); ++g) {
       const ActiveGroup& group = active.groups[g];
@@ -52,30 +46,78 @@ class Functional {
       out.items.push_back({SetId::kGround, i});
   }
 
+  /// Of the last frame.
+  const OrderingWork& work() const { return work_; }
+
  private:
   // Returns the nodes on whose TRUE side the eyepoint is.
   std::uint64_t order_group(const PriorityHierarchy& hierarchy, const ActiveGroup& active,
-                            const Vec3& eye, GroupOrder& out) const {
+                            const Vec3& eye, GroupOrder& out) {
     if (std::popcount(active.active) < 2) {  // nothing to order
       list_by_count(active.active, {}, out);
       return 0;
     }
-    const Group& group = hierarchy.groups[active.group];
-    const std::span<const SeparationNode> nodes(hierarchy.nodes.data() + group.first_node,
-                                                group.node_count);
+    if (coherent_) return order_coherently(hierarchy, active, eye, out);
+    const std::uint64_t eye_true = test_planes(
+        hierarchy, active, [&](const Plane& plane) { return eye_on_true_side<N>(plane, eye); });
+    count_members(hierarchy, active, eye_true, out);
+    return eye_true;
+  }
+
+  // The same from what was kept, where that is certain.
+  std::uint64_t order_coherently(const PriorityHierarchy& hierarchy, const ActiveGroup& active,
+                                 const Vec3& eye, GroupOrder& out) {
+    KeptOrder& kept = kept_.of(active.group, hierarchy.groups.size());
+    bool stands = kept.active == active.active;
+    if (!stands || !kept.stands_at(eye)) {
+      double least = std::numeric_limits<double>::infinity();
+      const std::uint64_t eye_true = test_planes(hierarchy, active, [&](const Plane& plane) {
+        double clearance = 0;
+        const bool is_true = eye_on_true_side<N>(plane, eye, clearance);
+        least = std::min(least, clearance);
+        return is_true;
+      });
+      stands = stands && kept.eye_true == eye_true;
+      if (!stands) count_members(hierarchy, active, eye_true, kept.order);
+      kept.active = active.active;
+      kept.eye_true = eye_true;
+      kept.set_eye(eye, least);
+    }
+    work_.reused_groups += stands;
+    out = kept.order;
+    return kept.eye_true;
+  }
+
+  // Nodes whose planes part active members, and have the eyepoint on the TRUE side.
+  template <class IsTrue>
+  std::uint64_t test_planes(const PriorityHierarchy& hierarchy, const ActiveGroup& active,
+                            IsTrue is_true) {
+    const std::span<const SeparationNode> nodes = nodes_of(hierarchy, active);
     std::uint64_t eye_true = 0;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       // A plane with active members on one side only resolves nothing in this frame.
       if (!(nodes[n].true_members & active.active) || !(nodes[n].false_members & active.active))
         continue;
-      if (eye_on_true_side<N>(hierarchy.planes[nodes[n].plane], eye))
-        eye_true |= std::uint64_t{1} << n;
+      ++work_.tested_planes;
+      if (is_true(hierarchy.planes[nodes[n].plane])) eye_true |= std::uint64_t{1} << n;
     }
+    return eye_true;
+  }
+
+  void count_members(const PriorityHierarchy& hierarchy, const ActiveGroup& active,
+                     std::uint64_t eye_true, GroupOrder& out) {
+    const std::span<const SeparationNode> nodes = nodes_of(hierarchy, active);
+    ++work_.ordered_groups;
     if (method_ == Method::kCounters)
       order_by_counters(nodes, eye_true, active.active, out, hierarchy.pairs);
     else
       order_by_so_matrix(nodes, eye_true, active.active, out, hierarchy.pairs);
-    return eye_true;
+  }
+
+  static std::span<const SeparationNode> nodes_of(const PriorityHierarchy& hierarchy,
+                                                  const ActiveGroup& active) {
+    const Group& group = hierarchy.groups[active.group];
+    return {hierarchy.nodes.data() + group.first_node, group.node_count};
   }
 
   // Opens the groups in order of priority.
@@ -122,6 +164,9 @@ class Functional {
   }
 
   Method method_;
+  bool coherent_;
+  OrderingWork work_;
+  KeptOrders kept_;
   std::vector<GroupOrder> order_;
 };
 
