@@ -85,6 +85,12 @@ class FunctionalMachine::Impl {
     return picture_;
   }
 
+  FrameFaces faces() const {
+    if (words_) return words_->faces();
+    return std::visit([this](const auto& s) { return frame_faces(s.edges, options_.raster); },
+                      stages_);
+  }
+
   const FrameStats& stats() {
     if (!counted_) std::visit([this](auto& stages) { count(stages); }, stages_);
     counted_ = true;
@@ -134,16 +140,16 @@ class FunctionalMachine::Impl {
     const EdgeList<N>& edges = stages.edges;
     if (!resolved_) stats_.spans = stages.coverage.compute(edges, options_.raster, spans_);
     stats_.active_items = list_.items.size();
+    const priority_processor::OrderingWork& work = stages.priority.work();
+    stats_.ordered_groups = work.ordered_groups;
+    stats_.reused_groups = work.reused_groups;
+    stats_.tested_planes = work.tested_planes;
     stats_.faults = static_cast<std::uint32_t>(list_.faults.size());
     stats_.listability = list_.faults;
     stats_.faces = edges.faces.size();
     stats_.edges = edges.edges.size();
     // Crossings begin and end with edges: a running sum over the lines gives each line's.
     line_changes_.assign(static_cast<std::size_t>(options_.raster.height) + 1, 0);
-    const priority_processor::OrderingWork& work = stages.priority.work();
-    stats_.ordered_groups = work.ordered_groups;
-    stats_.reused_groups = work.reused_groups;
-    stats_.tested_planes = work.tested_planes;
     for (const Edge<N>& edge : edges.edges) {
       stats_.crossings += static_cast<std::uint64_t>(edge.end_line - edge.first_line);
       ++line_changes_[static_cast<std::size_t>(edge.first_line)];
@@ -190,6 +196,7 @@ const Picture& FunctionalMachine::compute(const Viewpoint& viewpoint, double fra
   return impl_->compute(viewpoint, frame);
 }
 const FrameStats& FunctionalMachine::stats() const { return impl_->stats(); }
+FrameFaces FunctionalMachine::faces() const { return impl_->faces(); }
 
 Placement look_at(const Vec3& eye, const Vec3& target) {
   const Vec3 d = target - eye;

@@ -9,6 +9,7 @@
 #include "models/database/database.hpp"
 #include "models/machine/description.hpp"
 #include "models/priority_processor/group_order.hpp"
+#include "sim/frame_faces.hpp"
 #include "sim/frame_stats.hpp"
 
 namespace cigsim {
@@ -32,13 +33,13 @@ struct MachineOptions {
   double eye_reach = 0;  ///< for NumberType::kMachine: as coordinate_scale()
   /// What the thresholds of levels of detail are multiplied by; 0: the most detailed throughout.
   double detail = 1;
-};
   /// Only what spheres against the pyramid of vision leave is active; false: everything is. Not on
   /// machine words.
   bool retrieval = true;
   /// Orders of groups are kept while the eyepoint crosses no plane of theirs. The same lists either
   /// way. Not on machine words.
   bool coherence = true;
+};
 
 /// Keeps its working memory from frame to frame. One thread.
 class FunctionalMachine {
@@ -55,6 +56,8 @@ class FunctionalMachine {
   /// Figures of the last frame. Those that its method had no need of (the spans, with the painter)
   /// are worked out at the first call, outside the times.
   const FrameStats& stats() const;
+  /// What the edges of the last frame's faces cross.
+  FrameFaces faces() const;
 
  private:
   class Impl;

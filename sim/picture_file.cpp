@@ -6,6 +6,7 @@
 
 #include <csetjmp>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -59,6 +60,14 @@ struct PngWriter {
 };
 
 }  // namespace
+
+std::string png_bytes(const Picture& picture) {
+  std::ostringstream out;
+  PngWriter writer;
+  if (!write_rows(writer.png, writer.info, picture, out))
+    throw std::runtime_error("libpng could not write a picture");
+  return std::move(out).str();
+}
 
 void write_png(const Picture& picture, const std::filesystem::path& file) {
   write_file(file, [&](std::ostream& out) {

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "models/boundary/transactions.hpp"
 
 namespace cigsim {
 
-/// RGB, 8 bits a channel. Throws InputError when it cannot be written, and leaves nothing then.
+/// The bytes of a PNG: RGB, 8 bits a channel.
+std::string png_bytes(const Picture& picture);
+
+/// The same as a file. Throws InputError when it cannot be written, and leaves nothing then.
 void write_png(const Picture& picture, const std::filesystem::path& file);
 
 /// Object numbers: P5, maxval 65535, two bytes an element, the high one first.

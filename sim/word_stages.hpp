@@ -8,6 +8,7 @@
 #include "models/priority_processor/functional_words.hpp"
 #include "models/priority_resolver/functional.hpp"
 #include "models/video_processor/functional.hpp"
+#include "sim/frame_faces.hpp"
 #include "sim/frame_stats.hpp"
 
 namespace cigsim {
@@ -21,6 +22,9 @@ class WordStages {
   /// Computes a frame into `picture` and its figures. `position` places the moving models.
   void compute(const Database& database, const Viewpoint& viewpoint, double position,
                Picture& picture, FrameStats& stats);
+
+  /// Of the last frame, before lines drop any.
+  FrameFaces faces() const { return frame_faces(edges_, machine_.raster); }
 
  private:
   MachineDescription machine_;

@@ -134,6 +134,7 @@ int run_command(const Options& options) {
   run.frames_wanted = views.size();
   run.path = options.view.path;
   run.sun = options.preparation.sun;
+  run.contact_tolerance = options.preparation.contact_tolerance;
   make_folder(options.out);
   const int signal = run_frames(views, options.out, wave, run);
   if (options.timeline) write_timeline(run, *options.timeline);
