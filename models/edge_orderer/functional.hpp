@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "models/edge_orderer/line_orderer.hpp"
-#include "models/edge_orderer/stepper.hpp"
+#include "models/edge_orderer/list_stepper.hpp"
 
 namespace cigsim::edge_orderer {
 
@@ -33,11 +33,12 @@ class Functional {
     out.crossings.resize(out.first.back());
     next_.assign(out.first.begin(), out.first.end() - 1);
     element_.resize(static_cast<std::size_t>(raster.height));
+    stepper_.begin();
     for (std::uint32_t f = 0; f < edges.faces.size(); ++f) {
       const RasterFace& face = edges.faces[f];
       for (std::uint32_t e = face.first_edge; e < face.first_edge + face.edge_count; ++e) {
         const Edge<N>& edge = edges.edges[e];
-        step_edge(edge, edge.first_line, edge.end_line, raster.width, element_.data());
+        stepper_.step(edges, e, edge.first_line, edge.end_line, raster.width, element_.data());
         for (int r = edge.first_line; r < edge.end_line; ++r)
           out.crossings[next_[r]++] = {f, static_cast<std::uint16_t>(element_[r - edge.first_line]),
                                        edge.left};
@@ -52,7 +53,11 @@ class Functional {
                 });
   }
 
+  /// The stepper of the last frame's edges.
+  const ListStepper<N>& stepper() const { return stepper_; }
+
  private:
+  ListStepper<N> stepper_;
   std::vector<std::uint32_t> next_;
   std::vector<std::int32_t> element_;
 };

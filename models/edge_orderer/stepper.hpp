@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "models/boundary/transactions.hpp"
+#include "models/boundary/certified_edges.hpp"
 
 namespace cigsim::edge_orderer {
 
@@ -16,5 +16,10 @@ void step_edge(const Edge<double>& edge, int begin, int end, int width, std::int
 /// The same without rounding: x and slope over one denominator, and a whole remainder carried from
 /// line to line.
 void step_edge(const Edge<Exact>& edge, int begin, int end, int width, std::int32_t* element);
+
+/// As for doubles, and true; or false, and some lines are in doubt: a sample lies within the edge's
+/// error bound of it. On those the element may be wrong by one.
+bool step_certain(const Edge<Certified>& edge, int begin, int end, int width,
+                  std::int32_t* element);
 
 }  // namespace cigsim::edge_orderer

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstring>
 
-#include "models/edge_orderer/stepper.hpp"
+#include "models/edge_orderer/list_stepper.hpp"
 #include "models/priority_resolver/spans.hpp"
 
 namespace cigsim::priority_resolver {
@@ -124,6 +124,7 @@ class Coverage {
     mask_.reset(raster);
     left_.resize(static_cast<std::size_t>(raster.height));
     right_.resize(static_cast<std::size_t>(raster.height));
+    stepper_.begin();
     std::uint64_t shown = 0;
     for (std::uint32_t f = 0; f < edges.faces.size(); ++f) {
       const RasterFace& face = edges.faces[f];
@@ -143,15 +144,19 @@ class Coverage {
     return shown;
   }
 
+  /// The stepper of the last frame's edges.
+  const edge_orderer::ListStepper<N>& stepper() const { return stepper_; }
+
  private:
   void cross(const EdgeList<N>& edges, const RasterFace& face, int width) {
     for (std::uint32_t e = face.first_edge; e < face.first_edge + face.edge_count; ++e) {
       const Edge<N>& edge = edges.edges[e];
-      edge_orderer::step_edge(edge, edge.first_line, edge.end_line, width,
-                              (edge.left ? left_ : right_).data() + edge.first_line);
+      stepper_.step(edges, e, edge.first_line, edge.end_line, width,
+                    (edge.left ? left_ : right_).data() + edge.first_line);
     }
   }
 
+  edge_orderer::ListStepper<N> stepper_;
   CoverageMask mask_;
   std::vector<std::int32_t> left_, right_;
 };

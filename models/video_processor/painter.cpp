@@ -38,6 +38,7 @@ void Painter<N>::compute(const EdgeList<N>& edges, const Colour& background, con
                          Picture& out) {
   start(raster, out);
   sort_into_bands(edges, raster);
+  stepper_.begin();
   for (std::size_t band = 0; band < band_faces_.size(); ++band) {
     const int begin = static_cast<int>(band) * band_lines_;
     const int end = std::min(begin + band_lines_, raster.height);
@@ -110,8 +111,8 @@ typename Painter<N>::Lines Painter<N>::cross(const EdgeList<N>& edges, const Ras
     const Edge<N>& edge = edges.edges[e];
     const int from = std::max(begin, edge.first_line), to = std::min(end, edge.end_line);
     if (from < to)
-      edge_orderer::step_edge(edge, from, to, width,
-                              (edge.left ? left_ : right_).data() + (from - lines.first));
+      stepper_.step(edges, e, from, to, width,
+                    (edge.left ? left_ : right_).data() + (from - lines.first));
   }
   return lines;
 }
@@ -127,6 +128,7 @@ void Painter<N>::paint(const RasterFace& face, const Lines& lines, Picture& out)
 
 template class Painter<float>;
 template class Painter<double>;
+template class Painter<Certified>;
 template class Painter<Exact>;
 
 }  // namespace cigsim::video_processor

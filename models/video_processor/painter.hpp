@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "models/edge_orderer/stepper.hpp"
+#include "models/edge_orderer/list_stepper.hpp"
 
 namespace cigsim::video_processor {
 
@@ -25,6 +25,9 @@ class Painter {
   /// The picture has been written by another, or its size or background has changed.
   void forget() { painted_from_.clear(); }
 
+  /// The stepper of the last frame's edges.
+  const edge_orderer::ListStepper<N>& stepper() const { return stepper_; }
+
  private:
   // The crossings of a face on the lines [first, last) of a band, in left_ and right_ from place 0.
   struct Lines {
@@ -38,6 +41,7 @@ class Painter {
                       Picture& out);
   void paint(const RasterFace& face, const Lines& lines, Picture& out);
 
+  edge_orderer::ListStepper<N> stepper_;
   int band_lines_ = 1;
   std::vector<std::vector<std::uint32_t>> band_faces_;  // ascending, by band
   std::vector<std::int32_t> left_, right_;
@@ -46,6 +50,7 @@ class Painter {
 
 extern template class Painter<float>;
 extern template class Painter<double>;
+extern template class Painter<Certified>;
 extern template class Painter<Exact>;
 
 }  // namespace cigsim::video_processor

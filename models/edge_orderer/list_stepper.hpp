@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The edges of a frame's list from line to line. Those of certified frames are stepped in doubles;
+// lines on which the crossing lies within its error bound of a sample are stepped again exactly.
+#pragma once
+
+#include <unordered_map>
+
+#include "models/boundary/certified_edges.hpp"
+#include "models/edge_orderer/stepper.hpp"
+
+namespace cigsim::edge_orderer {
+
+template <class N>
+class ListStepper {
+ public:
+  /// A new list: nothing is known of its edges.
+  void begin() {}
+  /// step_edge() of an edge of the list.
+  void step(const EdgeList<N>& list, std::uint32_t edge, int begin, int end, int width,
+            std::int32_t* element) {
+    step_edge(list.edges[edge], begin, end, width, element);
+  }
+};
+
+template <>
+class ListStepper<Certified> {
+ public:
+  void begin();
+  void step(const EdgeList<Certified>& list, std::uint32_t edge, int begin, int end, int width,
+            std::int32_t* element) {
+    if (!step_certain(list.edges[edge], begin, end, width, element))
+      redo(list, edge, begin, end, width, element);
+  }
+
+  /// Crossings that were worked out exactly since begin().
+  std::uint64_t redone() const { return redone_; }
+
+ private:
+  void redo(const EdgeList<Certified>& list, std::uint32_t edge, int begin, int end, int width,
+            std::int32_t* element);
+  const Edge<Exact>& exact_edge(const EdgeList<Certified>& list, std::uint32_t edge);
+
+  std::unordered_map<std::uint32_t, Edge<Exact>> exact_;  // by edge, those that were needed
+  std::uint64_t redone_ = 0;
+};
+
+/// The edge without rounding: where the plane through the eyepoint and two vertices meets the
+/// raster.
+Edge<Exact> exact_edge(const EdgeList<Certified>& list, const Edge<Certified>& edge);
+
+}  // namespace cigsim::edge_orderer
