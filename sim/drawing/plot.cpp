@@ -2,38 +2,16 @@
 #include "sim/drawing/plot.hpp"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
-
-#include "models/environment/input_error.hpp"
-#include "models/environment/write.hpp"
-#include "sim/program_pipe.hpp"
 
 namespace cigsim {
 namespace {
 
-constexpr int kPlotWidth = 480, kPlotHeight = 360;
-
-// Words as gnuplot's quoted string; within single quotes only these count.
-std::string in_quotes(std::string_view words) {
-  std::string out = "'";
-  for (const char c : words) {
-    if (c == '\'') out += '\'';
-    if (static_cast<unsigned char>(c) >= 0x20) out += c;
-  }
-  return out + "'";
-}
-
 bool drawable(const Plot& plot, const Vec2& point) {
   return std::isfinite(point.x) && std::isfinite(point.y) && (!plot.log_x || point.x > 0) &&
          (!plot.log_y || point.y > 0);
-}
-
-std::string range(const std::optional<std::pair<double, double>>& range) {
-  return range ? fmt::format("[{:.17g}:{:.17g}]", range->first, range->second) : "[*:*]";
 }
 
 const char* style_of(CurveStyle style) {
@@ -44,9 +22,19 @@ const char* style_of(CurveStyle style) {
       return "points pt 7 ps 0.4";
     case CurveStyle::kBars:
       return "boxes fs solid 0.6 noborder";
+    case CurveStyle::kFront:
+      return "points pt 6 ps 1.2 lw 1.5 lc rgb '#b2182b'";
     default:
       return "linespoints lw 1.5 pt 7 ps 0.4";
   }
+}
+
+// A name as a field of a block of data.
+std::string name_field(const std::string& name) {
+  std::string out = "\"";
+  for (const char c : name)
+    if (static_cast<unsigned char>(c) >= 0x20 && c != '"' && c != '\\') out += c;
+  return out + "\"";
 }
 
 // The points as a named block of data, and the words that plot it; empty where nothing can be
@@ -54,13 +42,26 @@ const char* style_of(CurveStyle style) {
 std::string curve_words(const Plot& plot, const Curve& curve, int& next_block,
                         std::string& blocks) {
   std::string data;
-  for (const Vec2& point : curve.points)
-    if (drawable(plot, point)) data += fmt::format("{:.17g} {:.17g}\n", point.x, point.y);
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const Vec2& point = curve.points[i];
+    if (!drawable(plot, point)) continue;
+    data += fmt::format("{:.17g} {:.17g}", point.x, point.y);
+    if (i < curve.names.size()) data += fmt::format(" {}", name_field(curve.names[i]));
+    data += '\n';
+  }
   if (data.empty()) return {};
   const int block = next_block++;
   blocks += fmt::format("$d{} << EOD\n{}EOD\n", block, data);
-  return fmt::format("$d{} using 1:2 with {} {}", block, style_of(curve.style),
-                     curve.label.empty() ? "notitle" : "title " + in_quotes(curve.label));
+  std::string out =
+      fmt::format("$d{} using 1:2 with {} {}", block, style_of(curve.style),
+                  curve.label.empty() ? "notitle" : "title " + gnuplot_quoted(curve.label));
+  if (curve.style == CurveStyle::kFront)
+    out += fmt::format(", $d{} using 1:2 with steps lw 1 lc rgb '#b2182b' notitle", block);
+  if (!curve.names.empty())
+    out += fmt::format(
+        ", $d{} using 1:2:3 with labels left offset char 0.7,0.4 noenhanced font ',8' notitle",
+        block);
+  return out;
 }
 
 std::string plot_words(const Plot& plot, int& next_block, std::string& blocks) {
@@ -74,71 +75,36 @@ std::string plot_words(const Plot& plot, int& next_block, std::string& blocks) {
       "reset\nset key outside below horizontal noenhanced samplen 2 font ',9'\nset grid lc rgb "
       "'#d8d8d8'\n";
   out += fmt::format("set title {} noenhanced font ',12'\nset xlabel {} noenhanced\n",
-                     in_quotes(plot.title), in_quotes(plot.x_label));
-  out += fmt::format("set ylabel {} noenhanced\n", in_quotes(plot.y_label));
+                     gnuplot_quoted(plot.title), gnuplot_quoted(plot.x_label));
+  out += fmt::format("set ylabel {} noenhanced\n", gnuplot_quoted(plot.y_label));
+  const auto named = [](const Curve& curve) { return !curve.names.empty(); };
+  if (std::any_of(plot.curves.begin(), plot.curves.end(), named))
+    out += "set offsets graph 0.03, graph 0.2, graph 0.06, graph 0.03\n";  // room for the names
   if (plot.log_x) out += "set logscale x\n";
   if (plot.log_y) out += "set logscale y\n";
   for (std::size_t i = 0; i < plot.notes.size(); ++i)
     out += fmt::format("set label {} {} at graph 0.03, graph {:.3f} noenhanced font ',9'\n", i + 1,
-                       in_quotes(plot.notes[i]), 0.95 - 0.055 * static_cast<double>(i));
+                       gnuplot_quoted(plot.notes[i]), 0.95 - 0.055 * static_cast<double>(i));
   if (!curves.empty())
-    return out + fmt::format("set xrange {}\nset yrange {}\nplot {}\n", range(plot.x_range),
-                             range(plot.y_range), curves);
+    return out + fmt::format("set xrange [*:*]\nset yrange [*:*]\nplot {}\n", curves);
   return out +
          "set label 999 'nothing to draw' at graph 0.5, graph 0.5 center\n"
          "unset logscale\nset xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n";
 }
 
-// A file in memory that the program which we start can read by the name path().
-class MemoryFile {
- public:
-  explicit MemoryFile(std::string_view contents) : file_(::memfd_create("plot", 0)) {
-    if (file_ < 0) throw std::runtime_error("no memory for a plot");
-    while (!contents.empty()) {
-      const ssize_t written = ::write(file_, contents.data(), contents.size());
-      if (written <= 0) throw std::runtime_error("no memory for a plot");
-      contents.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
-  ~MemoryFile() { ::close(file_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  std::string path() const { return fmt::format("/proc/self/fd/{}", file_); }
-
- private:
-  int file_;
-};
-
 }  // namespace
 
-bool can_plot() { return has_program("gnuplot"); }
-
-std::string plot_script(const std::vector<Plot>& plots, int columns) {
-  const int rows = (static_cast<int>(plots.size()) + columns - 1) / columns;
+std::string plot_script(const std::vector<Plot>& plots, int columns, PlotSize size) {
   std::string blocks, commands;
   int next_block = 0;
   for (const Plot& plot : plots) commands += plot_words(plot, next_block, blocks);
-  return blocks +
-         fmt::format(
-             "set terminal svg size {},{} font 'Helvetica,11' background rgb '#ffffff'\n"
-             "set multiplot layout {},{}\n",
-             columns * kPlotWidth, rows * kPlotHeight, rows, columns) +
-         commands + "unset multiplot\n";
+  return blocks + gnuplot_sheet(plots.size(), columns, size.width, size.height) + commands +
+         "unset multiplot\n";
 }
 
-void write_plots(const std::vector<Plot>& plots, int columns, const std::filesystem::path& file) {
-  if (!can_plot())
-    throw InputError(file.string(), 0,
-                     "cannot be drawn without gnuplot; install Debian's package gnuplot-nox");
-  const MemoryFile script(plot_script(plots, columns));
-  Pipe gnuplot({"gnuplot", script.path()}, Pipe::End::kReads);
-  std::string svg;
-  char block[1 << 14];
-  while (const std::size_t got = std::fread(block, 1, sizeof block, gnuplot.file()))
-    svg.append(block, got);
-  if (!gnuplot.finish() || svg.empty())
-    throw InputError(file.string(), 0, "was not drawn: gnuplot failed; is its installation whole?");
-  write_file(file, svg);
+void write_plots(const std::vector<Plot>& plots, int columns, const std::filesystem::path& file,
+                 PlotSize size) {
+  draw_by_gnuplot(plot_script(plots, columns, size), file);
 }
 
 }  // namespace cigsim

@@ -8,8 +8,10 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 #include "models/environment/input_error.hpp"
+#include "sim/drawing/heat_map.hpp"
 #include "sim/drawing/plot.hpp"
 #include "sim/drawing/svg.hpp"
 
@@ -94,6 +96,42 @@ TEST_F(PlotFile, LeavesOutWhatAnAxisCannotShow) {
   const fs::path file = folder_ / "none.svg";
   write_plots({nothing}, 1, file);
   EXPECT_NE(contents(file).find("nothing to draw"), std::string::npos);
+}
+
+TEST_F(PlotFile, MarksAFrontAndNamesItsPoints) {
+  const Plot plot{.title = "front",
+                  .log_x = true,
+                  .curves = {{.label = "Pareto front",
+                              .points = {{1, 3}, {2, 1}, {0, 9}},
+                              .style = CurveStyle::kFront,
+                              .names = {"a \"quoted\" name", "second", "cannot be drawn"}}}};
+  const fs::path file = folder_ / "front.svg";
+  write_plots({plot}, 1, file, {.width = 800, .height = 500});
+  const std::string svg = contents(file);
+  for (const char* words : {"a quoted name", "second", "Pareto front"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  EXPECT_EQ(svg.find("cannot be drawn"), std::string::npos);
+  EXPECT_NE(svg.find("width=\"800\" height=\"500\""), std::string::npos);
+}
+
+TEST_F(PlotFile, AHeatMapHasACellAValue) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const HeatMap map{.title = "wrong decisions",
+                    .x_label = "scale",
+                    .y_label = "decision",
+                    .columns = {"1e-12", "1", "1e12"},
+                    .rows = {"side", "clip"},
+                    .values = {0.25, 0, 1, nan, 0.5, 0.125},
+                    .notes = {"seed 1"}};
+  const fs::path file = folder_ / "map.svg";
+  write_heat_maps({map, HeatMap{.title = "empty"}}, 2, file);
+  const std::string svg = contents(file);
+  for (const char* words : {"1e-12", "1e12", "side", "clip", "0.25", "0.125", "seed 1",
+                            "wrong decisions", "nothing to draw"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  EXPECT_TRUE(svg.find("NaN") == std::string::npos && svg.find("nan") == std::string::npos);
+  EXPECT_THROW(heat_map_script({HeatMap{.columns = {"b"}, .rows = {"a"}}}, 1),
+               std::invalid_argument);
 }
 
 TEST_F(PlotFile, MissingFolderLeavesNothing) {
