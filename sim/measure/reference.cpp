@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "sim/measure/reference.hpp"
+
+namespace cigsim {
+
+NumberType exact_number() { return NumberType::kExact; }
+
+std::vector<ReferencePicture> reference_pictures(const Database& database,
+                                                 const std::vector<FrameView>& views,
+                                                 const Raster& raster,
+                                                 const std::function<void(double)>& progress) {
+  MachineOptions options;
+  options.number = exact_number();
+  options.raster = raster;
+  options.detail = 0;
+  FunctionalMachine machine(database, options);
+  std::vector<ReferencePicture> pictures;
+  for (const FrameView& view : views) {
+    pictures.push_back(reference_picture(machine.compute(view.viewpoint, view.position)));
+    if (progress)
+      progress(static_cast<double>(pictures.size()) / static_cast<double>(views.size()));
+  }
+  return pictures;
+}
+
+}  // namespace cigsim

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "sim/measure/setting.hpp"
+
+#include "sim/rtl/library.hpp"
+#include "sim/stats.hpp"
+
+namespace cigsim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json formats_json(const WordFormats& formats) {
+  return {{"coordinate_bits", formats.coordinate_bits},
+          {"direction_fraction", formats.direction_fraction},
+          {"quotient_fraction", formats.quotient_fraction},
+          {"raster_fraction", formats.raster_fraction}};
+}
+
+}  // namespace
+
+Json setting_json(const Setting& setting) {
+  const MachineOptions& m = setting.machine;
+  const bool words = m.number == NumberType::kMachine;
+  return {{"level", setting.levels.text()},
+          {"number", name_of(m.number)},
+          {"detail", m.detail == 0 ? Json("most") : Json(m.detail)},
+          {"raster", {m.raster.width, m.raster.height}},
+          {"priority", name_of(m.priority)},
+          {"resolver", name_of(m.resolver)},
+          {"retrieval", words ? Json() : Json(m.retrieval)},
+          {"coherence", words ? Json() : Json(m.coherence)},
+          {"machine", words ? Json(m.description.name) : Json()},
+          {"overload", words ? Json(name_of(m.overload)) : Json()},
+          {"formats", words ? formats_json(m.description.formats) : Json()}};
+}
+
+std::map<Stage, std::filesystem::path> rtl_libraries(const Setting& setting,
+                                                     const Database& database) {
+  std::map<Stage, std::filesystem::path> found;
+  for (const Stage stage : kAllStages)
+    if (setting.levels[stage] == Level::kRtl)
+      found[stage] =
+          rtl_library(rtl_variant(stage, RtlNeeds::of(database), setting.machine.description),
+                      say_on_stderr)
+              .file;
+  return found;
+}
+
+}  // namespace cigsim
