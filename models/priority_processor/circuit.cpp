@@ -3,19 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+
+#include "models/database/separation_pairs.hpp"
 
 namespace cigsim::priority_processor {
 namespace {
 
 // A bit a member that the member of the place precedes.
 using Precedes = std::array<std::uint64_t, kGroupCapacity>;
-
-template <class F>
-void for_each_member(std::uint64_t members, F&& f) {
-  for (; members != 0; members &= members - 1)
-    f(static_cast<std::uint32_t>(std::countr_zero(members)));
-}
 
 Precedes precedes_at(const PriorityHierarchy& hierarchy, const Group& group, std::uint64_t active,
                      std::uint64_t eye_true) {
@@ -26,14 +21,8 @@ Precedes precedes_at(const PriorityHierarchy& hierarchy, const Group& group, std
   for (std::uint32_t n = 0; n < group.node_count; ++n) {
     const SeparationNode& node = hierarchy.nodes[group.first_node + n];
     const bool eye = (eye_true >> n) & 1;
-    for (std::uint32_t p = node.first_pair; p < node.first_pair + node.pair_count; ++p) {
-      const auto [t, f] = hierarchy.pairs[p];
-      eye ? add(t, f) : add(f, t);
-    }
-    if (node.pair_count > 0) continue;
-    for_each_member(node.true_members, [&](std::uint32_t t) {
-      for_each_member(node.false_members, [&](std::uint32_t f) { eye ? add(t, f) : add(f, t); });
-    });
+    for_each_pair(hierarchy, node,
+                  [&](std::uint32_t t, std::uint32_t f) { eye ? add(t, f) : add(f, t); });
   }
   return precedes;
 }

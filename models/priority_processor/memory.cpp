@@ -2,11 +2,11 @@
 #include "models/priority_processor/memory.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "models/database/separation_pairs.hpp"
 #include "models/machine/scale.hpp"
 
 namespace cigsim::priority_processor {
@@ -25,13 +25,10 @@ std::uint32_t depth_below(const PriorityHierarchy& hierarchy, const Group& group
 }
 
 std::vector<MemberPair> pairs_of(const PriorityHierarchy& hierarchy, const SeparationNode& node) {
-  const auto first = hierarchy.pairs.begin() + node.first_pair;
-  std::vector<MemberPair> pairs(first, first + node.pair_count);
-  if (!pairs.empty()) return pairs;
-  for (std::uint64_t t = node.true_members; t != 0; t &= t - 1)
-    for (std::uint64_t f = node.false_members; f != 0; f &= f - 1)
-      pairs.push_back({static_cast<std::uint8_t>(std::countr_zero(t)),
-                       static_cast<std::uint8_t>(std::countr_zero(f))});
+  std::vector<MemberPair> pairs;
+  for_each_pair(hierarchy, node, [&](std::uint32_t t, std::uint32_t f) {
+    pairs.push_back({static_cast<std::uint8_t>(t), static_cast<std::uint8_t>(f)});
+  });
   return pairs;
 }
 

@@ -2,16 +2,12 @@
 #include "models/database/listability/group_listability.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+
+#include "models/database/separation_pairs.hpp"
 
 namespace cigsim::listability {
 namespace {
-
-template <class F>
-void for_each_bit(std::uint64_t bits, F&& f) {
-  for (; bits != 0; bits &= bits - 1) f(static_cast<std::uint32_t>(std::countr_zero(bits)));
-}
 
 class SideChecker {
  public:
@@ -24,8 +20,8 @@ class SideChecker {
       const Group& group = hierarchy_.groups[g];
       for (std::uint32_t n = 0; n < group.node_count; ++n) {
         const SeparationNode& node = hierarchy_.nodes[group.first_node + n];
-        for_each_bit(node.true_members, [&](std::uint32_t m) { member(g, n, m, true); });
-        for_each_bit(node.false_members, [&](std::uint32_t m) { member(g, n, m, false); });
+        for_each_member(node.true_members, [&](std::uint32_t m) { member(g, n, m, true); });
+        for_each_member(node.false_members, [&](std::uint32_t m) { member(g, n, m, false); });
       }
     }
     return std::move(check_);
@@ -106,11 +102,8 @@ PriorityTable table_of_group(const PriorityHierarchy& hierarchy, std::uint32_t g
   for (std::uint32_t n = 0; n < g.node_count; ++n) {
     const SeparationNode& node = hierarchy.nodes[g.first_node + n];
     table.planes.push_back(hierarchy.planes[node.plane]);
-    for (std::uint32_t p = node.first_pair; p < node.first_pair + node.pair_count; ++p)
-      table.pairs.push_back({n, hierarchy.pairs[p].true_member, hierarchy.pairs[p].false_member});
-    if (node.pair_count > 0) continue;
-    for_each_bit(node.true_members, [&](std::uint32_t t) {
-      for_each_bit(node.false_members, [&](std::uint32_t f) { table.pairs.push_back({n, t, f}); });
+    for_each_pair(hierarchy, node, [&](std::uint32_t t, std::uint32_t f) {
+      table.pairs.push_back({n, t, f});
     });
   }
   return table;
