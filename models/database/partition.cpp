@@ -19,6 +19,8 @@ constexpr std::size_t kFaceCandidates = 48;
 // Sets up to this size are also examined with planes between pairs of items.
 constexpr std::size_t kPairSetSize = 256;
 constexpr std::size_t kPairCandidates = 24;
+// Eighths of the items' ends at which planes across the axes are examined.
+constexpr std::size_t kShares[] = {2, 3, 4, 5, 6};
 // A set up to this size takes a plane that cuts nothing even if it parts off a single item; larger
 // ones weigh it against cuts. Polygons of surfaces part one by one for ever, bodies seldom do.
 constexpr std::size_t kFreeBodies = 8192, kFreePolygons = 64;
@@ -236,7 +238,8 @@ class Partitioner {
     if (best && accepts_free(*best, items.size())) return best;
     consider_pairs(items, consider);
     if (best && accepts_free(*best, items.size())) return best;
-    if (items.size() > 2) consider_medians(items, consider);
+    if (items.size() > 2)
+      for (const Plane& plane : planes_across_axes(set_, items, kShares)) consider(plane);
     return best;
   }
 
@@ -279,23 +282,6 @@ class Partitioner {
   }
 
   // Planes across the axes at the ends of the middle items.
-  template <class Consider>
-  void consider_medians(const ItemList& items, Consider consider) {
-    std::vector<double> ends;
-    for (int axis = 0; axis < 3; ++axis) {
-      ends.clear();
-      for (const std::uint32_t i : items) {
-        ends.push_back(set_.items[i].low[axis]);
-        ends.push_back(set_.items[i].high[axis]);
-      }
-      for (const std::size_t share : {2, 3, 4, 5, 6}) {
-        const auto at = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() * share / 8);
-        std::nth_element(ends.begin(), at, ends.end());
-        consider(axis_plane(axis, *at));
-      }
-    }
-  }
-
   void split(const Candidate& chosen, const Task& task) {
     ItemList positive, flat, negative;
     for (const std::uint32_t i : task.items) {

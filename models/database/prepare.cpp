@@ -12,7 +12,7 @@
 #include "models/database/partition.hpp"
 #include "models/database/separation_table.hpp"
 #include "models/database/shade.hpp"
-#include "models/database/surface.hpp"
+#include "models/database/surface_polygons.hpp"
 #include "models/environment/detail.hpp"
 #include "models/environment/input_error.hpp"
 #include "models/environment/placement.hpp"
@@ -40,21 +40,6 @@ Colour face_colour(const Preparation& p, std::uint32_t object, const Face& face,
 
 // Systems without motion belong to the environment's own once they are placed.
 bool stands_still(const CoordinateSystem& system) { return system.motion.empty(); }
-
-// Adds the faces of a surface to the working set; `origin_of` tells where a face comes from, and
-// `added` is called after each.
-template <class OriginOf, class Added>
-void add_faces(WorkSet& set, const Surface& surface, OriginOf origin_of, Added added) {
-  const auto base = static_cast<std::uint32_t>(set.vertex_count());
-  for (const Vec3& v : surface.vertices) set.add_vertex(v);
-  Loop corners;
-  for (const SurfaceFace& face : surface.faces) {
-    corners = face.loop;
-    for (std::uint32_t& c : corners) c += base;
-    set.add_polygon(corners, set.add_plane(face.plane), origin_of(face));
-    added();
-  }
-}
 
 // Adds an object's faces to the working set: one item when it is convex, else an item a face.
 void add_object(Preparation& p, WorkSet& set, std::uint32_t object, std::uint32_t& order) {

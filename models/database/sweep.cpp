@@ -75,4 +75,23 @@ Sweep best_sweep(const WorkSet& set, const std::vector<std::uint32_t>& items) {
   return best;
 }
 
+std::vector<Plane> planes_across_axes(const WorkSet& set, const std::vector<std::uint32_t>& items,
+                                      std::span<const std::size_t> eighths) {
+  std::vector<Plane> planes;
+  std::vector<double> ends;
+  for (int axis = 0; axis < 3; ++axis) {
+    ends.clear();
+    for (const std::uint32_t i : items) {
+      ends.push_back(set.items[i].low[static_cast<std::size_t>(axis)]);
+      ends.push_back(set.items[i].high[static_cast<std::size_t>(axis)]);
+    }
+    for (const std::size_t share : eighths) {
+      const auto at = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() * share / 8);
+      std::nth_element(ends.begin(), at, ends.end());
+      planes.push_back(axis_plane(axis, *at));
+    }
+  }
+  return planes;
+}
+
 }  // namespace cigsim

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Gaps between items along a coordinate axis: the cheapest planes that cut nothing.
+// Planes across the coordinate axes: at gaps between items, the cheapest that cut nothing, and at
+// shares of the items' ends.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "models/database/work_set.hpp"
@@ -20,5 +23,10 @@ struct Sweep {
 
 /// The sweep whose largest run is smallest; one run when no axis has a gap.
 Sweep best_sweep(const WorkSet& set, const std::vector<std::uint32_t>& items);
+
+/// Planes across x, then y, then z: along each axis, of the low and high ends of all items in
+/// ascending order, through those that the given eighths of their number come before.
+std::vector<Plane> planes_across_axes(const WorkSet& set, const std::vector<std::uint32_t>& items,
+                                      std::span<const std::size_t> eighths);
 
 }  // namespace cigsim

@@ -3,7 +3,7 @@
 
 #include "models/database/notices.hpp"
 #include "models/database/shade.hpp"
-#include "models/database/surface.hpp"
+#include "models/database/surface_polygons.hpp"
 #include "models/environment/placement.hpp"
 
 namespace cigsim {
@@ -11,20 +11,17 @@ namespace {
 
 void add_object(BspPolygons& out, const Object& object, std::uint32_t number, Notices& notices) {
   const Surface surface = make_surface(object, notices);
-  const auto base = static_cast<std::uint32_t>(out.set.vertex_count());
-  for (const Vec3& v : surface.vertices) out.set.add_vertex(v);
-  Loop corners;
-  for (const SurfaceFace& face : surface.faces) {
-    corners = face.loop;
-    for (std::uint32_t& c : corners) c += base;
-    const auto order = static_cast<std::uint32_t>(out.set.polygons.size());
-    out.set.add_polygon(
-        corners, out.set.add_plane(face.plane),
-        {number, order, object.faces[face.source].colour.value_or(palette_colour(number)),
-         !surface.closed});
-    out.set.add_item(1);
-    out.body.push_back(surface.convex ? number : BspPolygons::kNoBody);
-  }
+  add_faces(
+      out.set, surface,
+      [&](const SurfaceFace& face) -> FaceOrigin {
+        const auto order = static_cast<std::uint32_t>(out.set.polygons.size());
+        const Colour colour = object.faces[face.source].colour.value_or(palette_colour(number));
+        return {number, order, colour, !surface.closed};
+      },
+      [&] {
+        out.set.add_item(1);
+        out.body.push_back(surface.convex ? number : BspPolygons::kNoBody);
+      });
 }
 
 }  // namespace

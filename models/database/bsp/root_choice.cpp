@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "models/database/bsp/conflicts.hpp"
+#include "models/database/sweep.hpp"
 
 namespace cigsim {
 namespace {
@@ -19,6 +20,8 @@ constexpr std::size_t kPublishedCandidates = 128, kCostCandidates = 64;
 constexpr std::size_t kProbe = 256, kFinalists = 8;
 // Lists longer than this are worth a plane without a polygon.
 constexpr std::size_t kDividedSize = 64;
+// Eighths of the polygons' ends at which such planes are tried.
+constexpr std::size_t kShares[] = {3, 4, 5};
 
 std::uint64_t imbalance(const SideCounts& c) {
   return c.positive > c.negative ? c.positive - c.negative : c.negative - c.positive;
@@ -125,24 +128,6 @@ std::uint32_t RootChooser::most_conflicts(const Items& items) {
   return plane_of(list[best_by_conflicts(set_, list, options_.weight)]);
 }
 
-std::vector<Plane> RootChooser::dividing_planes(const Items& probe) const {
-  std::vector<Plane> planes;
-  std::vector<double> ends;
-  for (int axis = 0; axis < 3; ++axis) {
-    ends.clear();
-    for (const std::uint32_t i : probe) {
-      ends.push_back(set_.items[i].low[static_cast<std::size_t>(axis)]);
-      ends.push_back(set_.items[i].high[static_cast<std::size_t>(axis)]);
-    }
-    for (const std::size_t share : {3, 4, 5}) {
-      const auto at = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() * share / 8);
-      std::nth_element(ends.begin(), at, ends.end());
-      planes.push_back(axis_plane(axis, *at));
-    }
-  }
-  return planes;
-}
-
 std::uint32_t RootChooser::least_cost(const Items& items) {
   const Items probe = sampled(items, kProbe);
   std::vector<Rated> rated;
@@ -151,7 +136,7 @@ std::uint32_t RootChooser::least_cost(const Items& items) {
     rated.push_back({plane, count(plane, probe, kNoLimit)});
   }
   if (options_.dividing_planes && items.size() > kDividedSize)
-    for (const Plane& plane : dividing_planes(probe)) {
+    for (const Plane& plane : planes_across_axes(set_, probe, kShares)) {
       const std::uint32_t index = set_.add_plane(plane);
       const SideCounts counts = count(index, probe, kNoLimit);
       // Without a polygon in it a plane must part the list, or nothing is gained.

@@ -57,7 +57,6 @@ class RootChooser {
   std::uint32_t fewest_splits(const std::vector<std::uint32_t>& items);
   std::uint32_t most_conflicts(const std::vector<std::uint32_t>& items);
   std::uint32_t least_cost(const std::vector<std::uint32_t>& items);
-  std::vector<Plane> dividing_planes(const std::vector<std::uint32_t>& probe) const;
 
   WorkSet& set_;
   RootOptions options_;
