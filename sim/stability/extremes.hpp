@@ -41,8 +41,11 @@ inline constexpr std::array kAxes{Axis::kScale,    Axis::kOffset,   Axis::kNear,
 std::string_view name_of(Axis axis);
 /// What its values are, with the unit.
 std::string_view meaning_of(Axis axis);
-/// The values of a sweep, from the benign end to the extreme one. Of kMixed one value, 0.
+/// The values of a sweep, in the order of a picture. Of kMixed one value, 0.
 const std::vector<double>& values_of(Axis axis);
+/// How far a value is from the benign one: the smaller of two is the less extreme. Of one axis
+/// only.
+double extremity(Axis axis, double value);
 /// Benign but for one axis. kMixed takes `random`: a value of every other axis, drawn at random.
 Extremes at(Axis axis, double value, Random& random);
 
