@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "benchmarks/crowded_city.hpp"
+#include "sim/experiments/crowded_city.hpp"
 #include "benchmarks/stage_times.hpp"
 #include "models/database/prepare.hpp"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "models/edge_orderer/stepper.hpp"
+#include "models/edge_orderer/list_stepper.hpp"
 #include "models/numeric/machine_word.hpp"
 
 namespace cigsim {
@@ -39,7 +39,9 @@ struct FrameFaces {
 
 namespace detail {
 
-inline void step(const Edge<MachineWord>& edge, int width, std::int32_t* element) {
+inline void step(const EdgeList<MachineWord>& list, std::uint32_t e, int width,
+                 std::int32_t* element) {
+  const Edge<MachineWord>& edge = list.edges[e];
   std::int64_t x = edge.x.raw;  // EO1, EO2
   std::uint64_t overflows = 0;
   for (int r = edge.first_line; r < edge.end_line; ++r) {
@@ -50,8 +52,9 @@ inline void step(const Edge<MachineWord>& edge, int width, std::int32_t* element
 }
 
 template <class N>
-void step(const Edge<N>& edge, int width, std::int32_t* element) {
-  edge_orderer::step_edge(edge, edge.first_line, edge.end_line, width, element);
+void step(const EdgeList<N>& list, std::uint32_t e, int width, std::int32_t* element) {
+  edge_orderer::ListStepper<N>().step(list, e, list.edges[e].first_line, list.edges[e].end_line,
+                                      width, element);
 }
 
 }  // namespace detail
@@ -61,7 +64,8 @@ FrameFaces frame_faces(const EdgeList<N>& list, const Raster& raster) {
   FrameFaces out;
   out.faces = list.faces;
   out.edges.reserve(list.edges.size());
-  for (const Edge<N>& edge : list.edges) {
+  for (std::uint32_t e = 0; e < list.edges.size(); ++e) {
+    const Edge<N>& edge = list.edges[e];
     FaceEdge& made = out.edges.emplace_back();
     made.first_line = edge.first_line;
     made.end_line = edge.end_line;
@@ -71,7 +75,7 @@ FrameFaces frame_faces(const EdgeList<N>& list, const Raster& raster) {
     made.first_element = out.elements.size();
     out.elements.resize(made.first_element +
                         static_cast<std::size_t>(edge.end_line - edge.first_line));
-    detail::step(edge, raster.width, out.elements.data() + made.first_element);
+    detail::step(list, e, raster.width, out.elements.data() + made.first_element);
   }
   return out;
 }

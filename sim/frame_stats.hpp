@@ -48,6 +48,22 @@ struct FrameTiming {
   Cycle transport_delay() const { return last_element - input + 1; }
 };
 
+/// Of a certified frame: what its doubles decided, and how much of that error bounds left in doubt,
+/// so that it was decided again in exact numbers.
+struct Redone {
+  std::uint64_t vertices = 0, vertices_redone = 0;  ///< against the pyramid of vision and the lines
+  std::uint64_t faces = 0, faces_redone = 0;        ///< clipped and projected
+  std::uint64_t edges = 0;
+  std::uint64_t crossings = 0, crossings_redone = 0;
+  std::uint64_t exact_tests = 0;  ///< side tests, as in FrameStats
+  /// Of vertices, faces and crossings, those redone; 0 without any.
+  double share() const {
+    const std::uint64_t all = vertices + faces + crossings;
+    const std::uint64_t again = vertices_redone + faces_redone + crossings_redone;
+    return all == 0 ? 0 : static_cast<double>(again) / static_cast<double>(all);
+  }
+};
+
 struct FrameStats {
   double host_ms = 0;  ///< all stages, without file output
   StageTimes stages;
@@ -63,6 +79,7 @@ struct FrameStats {
   std::vector<ListabilityFault> listability;  ///< the same by name
   std::uint64_t exact_tests = 0;              ///< side tests redone in rational arithmetic
   bool certified = false;                     ///< every decision was exact
+  std::optional<Redone> redone;               ///< in certified numbers
   std::optional<Overload> overload;           ///< on machine words
   std::optional<FrameTiming> timing;          ///< at levels that know time
 };

@@ -9,6 +9,7 @@
 #include "models/edge_orderer/functional.hpp"
 #include "models/frame_calculator/functional.hpp"
 #include "models/geometry_processor/functional.hpp"
+#include "models/geometry_processor/functional_certified.hpp"
 #include "models/priority_processor/functional.hpp"
 #include "models/priority_resolver/coverage.hpp"
 #include "models/priority_resolver/functional.hpp"
@@ -36,12 +37,14 @@ struct Stages {
   EdgeList<N> edges;
 };
 
-using AnyStages = std::variant<Stages<double>, Stages<float>, Stages<Exact>>;
+using AnyStages = std::variant<Stages<double>, Stages<float>, Stages<Certified>, Stages<Exact>>;
 
 AnyStages make_stages(const MachineOptions& options) {
   switch (options.number) {
     case NumberType::kFloat:
       return Stages<float>(options.priority, options.coherence);
+    case NumberType::kCertified:
+      return Stages<Certified>(options.priority, options.coherence);
     case NumberType::kExact:
       return Stages<Exact>(options.priority, options.coherence);
     case NumberType::kMachine:
@@ -81,7 +84,9 @@ class FunctionalMachine::Impl {
     std::visit([&](auto& stages) { run(stages, time); }, stages_);
     stats_.host_ms = time.total();
     stats_.exact_tests = exact_fallbacks() - fallbacks;
-    stats_.certified = options_.number == NumberType::kExact;
+    stats_.certified =
+        options_.number == NumberType::kExact || options_.number == NumberType::kCertified;
+    if (stats_.redone) stats_.redone->exact_tests = stats_.exact_tests;
     return picture_;
   }
 
@@ -111,6 +116,7 @@ class FunctionalMachine::Impl {
     if (!resolved_) {
       s.painter.compute(s.edges, database_.background, raster, picture_);
       stats_.stages.video_processor = time.lap();
+      note_redone(s.edges, s.painter.stepper());
       return;
     }
     s.painter.forget();
@@ -118,12 +124,29 @@ class FunctionalMachine::Impl {
       s.orderer.compute(s.edges, raster, crossings_);
       stats_.stages.edge_orderer = time.lap();
       stats_.spans = resolver_.compute(crossings_, s.edges.faces.size(), raster, spans_);
+      note_redone(s.edges, s.orderer.stepper());
     } else {
       stats_.spans = s.coverage.compute(s.edges, raster, spans_);
+      note_redone(s.edges, s.coverage.stepper());
     }
     stats_.stages.priority_resolver = time.lap();
     video_.compute(spans_, s.edges.faces, database_.background, raster, picture_);
     stats_.stages.video_processor = time.lap();
+  }
+
+  template <class N>
+  void note_redone(const EdgeList<N>&, const edge_orderer::ListStepper<N>&) {}
+  void note_redone(const EdgeList<Certified>& edges,
+                   const edge_orderer::ListStepper<Certified>& stepper) {
+    Redone& redone = stats_.redone.emplace();
+    redone.vertices = edges.redone.vertices;
+    redone.vertices_redone = edges.redone.vertices_redone;
+    redone.faces = edges.redone.faces;
+    redone.faces_redone = edges.redone.faces_redone;
+    redone.edges = edges.edges.size();
+    for (const Edge<Certified>& edge : edges.edges)
+      redone.crossings += static_cast<std::uint64_t>(edge.end_line - edge.first_line);
+    redone.crossings_redone = stepper.redone();
   }
 
   template <class N>

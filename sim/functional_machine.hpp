@@ -14,7 +14,7 @@
 
 namespace cigsim {
 
-enum class NumberType { kFloat, kDouble, kMachine, kExact };
+enum class NumberType { kFloat, kDouble, kMachine, kCertified, kExact };
 using PriorityMethod = priority_processor::Method;
 enum class ResolverMethod {
   kAuto,       ///< painter or coverage, by how much the frame's faces overlap

@@ -119,17 +119,18 @@ void add_machine_options(CLI::App& command, MachineChoices& o) {
       "functional (default), timed, clocked, or rtl; or a level for some stages, the others timed. "
       "cigsim levels shows which there are");
   add(
-      command, "--number", "float|double|machine|exact",
+      command, "--number", "float|double|certified|machine|exact",
       [&o](const Text& t) {
         o.number = parse_choice<NumberType>("--number", t,
                                             {{"float", NumberType::kFloat},
                                              {"double", NumberType::kDouble},
+                                             {"certified", NumberType::kCertified},
                                              {"machine", NumberType::kMachine},
                                              {"exact", NumberType::kExact}});
       },
-      "Numbers to compute with: fast, the ideal picture (default), the machine's own words "
-      "(default "
-      "with --machine, and at the levels that know time), or rationals without rounding");
+      "Numbers to compute with: fast, the ideal picture (default), doubles that are certain of "
+      "every decision or make it again exactly, the machine's own words (default with --machine, "
+      "and at the levels that know time), or rationals without rounding throughout");
   add(
       command, "--priority", "counters|so",
       [&o](const Text& t) {

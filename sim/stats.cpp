@@ -100,6 +100,20 @@ Json listability_json(const std::vector<ListabilityFault>& faults) {
   return out;
 }
 
+// Null in numbers that are not certified.
+Json redone_json(const std::optional<Redone>& redone) {
+  if (!redone) return nullptr;
+  return {{"vertices", redone->vertices},
+          {"vertices_redone", redone->vertices_redone},
+          {"faces", redone->faces},
+          {"faces_redone", redone->faces_redone},
+          {"edges", redone->edges},
+          {"crossings", redone->crossings},
+          {"crossings_redone", redone->crossings_redone},
+          {"exact_tests", redone->exact_tests},
+          {"share", redone->share()}};
+}
+
 // Null in a frame without choices.
 Json detail_json(const std::vector<std::uint32_t>& counts) {
   if (counts.empty()) return nullptr;
@@ -141,7 +155,8 @@ Json frame_json(const FrameRecord& frame, std::size_t number) {
           {"reused_groups", stats.reused_groups},
           {"tested_planes", stats.tested_planes},
           {"exact_tests", stats.exact_tests},
-          {"certified", stats.certified}};
+          {"certified", stats.certified},
+          {"redone", redone_json(stats.redone)}};
 }
 
 }  // namespace
@@ -191,6 +206,8 @@ const char* name_of(NumberType number) {
       return "double";
     case NumberType::kMachine:
       return "machine";
+    case NumberType::kCertified:
+      return "certified";
     case NumberType::kExact:
       break;
   }

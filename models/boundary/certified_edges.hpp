@@ -33,6 +33,7 @@ struct Edge<Certified> {
 struct GeometryRedone {
   std::uint64_t vertices = 0;  ///< their place against the pyramid of vision and the lines
   std::uint64_t vertices_redone = 0;
+  std::uint64_t faces = 0;         ///< turned to the eyepoint and not outside one side
   std::uint64_t faces_redone = 0;  ///< clipped and projected in rational numbers
 };
 

@@ -184,6 +184,7 @@ void Functional<Certified>::process(const FaceSet& set, const Item& item, std::u
     all &= codes_[corners[c]];
   }
   if (all != 0) return;
+  ++redone_.faces;
   if (any != 0 && ((any & kUnplaced) != 0 || !clip(set, face, any) || !place_loop())) {
     process_exactly(set, item, face, out);
     return;

@@ -74,6 +74,26 @@ void print_machine(const RunRecord& run) {
                machine.frame_cycles);
 }
 
+// Sums over the run.
+void print_redone(const RunRecord& run) {
+  Redone sum;
+  for (const FrameRecord& frame : run.frames) {
+    const Redone& r = *frame.stats.redone;
+    sum.vertices += r.vertices;
+    sum.vertices_redone += r.vertices_redone;
+    sum.faces += r.faces;
+    sum.faces_redone += r.faces_redone;
+    sum.crossings += r.crossings;
+    sum.crossings_redone += r.crossings_redone;
+    sum.exact_tests += r.exact_tests;
+  }
+  fmt::print(
+      "Redone    {} of {} vertices, {} of {} faces, {} of {} crossings and {} side tests exactly: "
+      "{:.2g} %\n",
+      sum.vertices_redone, sum.vertices, sum.faces_redone, sum.faces, sum.crossings_redone,
+      sum.crossings, sum.exact_tests, 100 * sum.share());
+}
+
 void print_summary(const RunRecord& run, const std::filesystem::path& folder) {
   const Raster& raster = run.machine.raster;
   std::vector<double> times;
@@ -94,6 +114,7 @@ void print_summary(const RunRecord& run, const std::filesystem::path& folder) {
              faces, crossings);
   fmt::print("Decisions {} listability faults, {} of {} frames certified\n", faults, certified,
              run.frames.size());
+  if (run.machine.number == NumberType::kCertified) print_redone(run);
   if (run.machine.number == NumberType::kMachine) print_machine(run);
   if (numbers_saturate(*run.database))
     fmt::print("Numbers   65535 in ids-NNNN.pgm stands for that number and all above\n");

@@ -4,14 +4,14 @@
 
 #include "models/boundary/transactions.hpp"
 
-namespace cigsim::benchmarks {
+namespace cigsim {
 
 struct CrowdedCity {
   Environment environment;
   Viewpoint viewpoint;
 };
 
-/// The first `visible` objects are in view, the others are not.
-CrowdedCity make_crowded_city(std::uint32_t visible, std::uint32_t objects);
+/// The first `visible` objects are in view, the others are not. The same seed gives the same city.
+CrowdedCity make_crowded_city(std::uint32_t visible, std::uint32_t objects, std::uint64_t seed = 1);
 
-}  // namespace cigsim::benchmarks
+}  // namespace cigsim

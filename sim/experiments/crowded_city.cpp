@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/crowded_city.hpp"
+#include "sim/experiments/crowded_city.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "models/environment/generate.hpp"
 #include "models/environment/placement.hpp"
 
-namespace cigsim::benchmarks {
+namespace cigsim {
 namespace {
 
 /// The pyramid of vision of a square picture.
@@ -39,13 +39,14 @@ class Pyramid {
 
 }  // namespace
 
-CrowdedCity make_crowded_city(std::uint32_t visible, std::uint32_t objects) {
-  CrowdedCity city{generate_environment("city", {visible, 1}), {}};
+CrowdedCity make_crowded_city(std::uint32_t visible, std::uint32_t objects, std::uint64_t seed) {
+  CrowdedCity city{generate_environment("city", {visible, seed}), {}};
   city.viewpoint = {city.environment.view->eye, city.environment.view->fov};
   if (objects <= visible) return city;
   const Pyramid pyramid(city.viewpoint);
   // The pyramid takes less than a third of the ground.
-  Environment around = generate_environment("city", {static_cast<std::uint32_t>(1.5 * objects), 2});
+  Environment around =
+      generate_environment("city", {static_cast<std::uint32_t>(1.5 * objects), seed + 1});
   const Vec3 corner = around.ground.front().vertices[0],
              opposite = around.ground.front().vertices[2];
   const Vec3 middle = (corner + opposite) * 0.5, eye = city.viewpoint.eye.position;
@@ -58,4 +59,4 @@ CrowdedCity make_crowded_city(std::uint32_t visible, std::uint32_t objects) {
   return city;
 }
 
-}  // namespace cigsim::benchmarks
+}  // namespace cigsim
