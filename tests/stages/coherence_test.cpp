@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 
+#include "models/boundary/certified_edges.hpp"
 #include "models/database/prepare.hpp"
 #include "models/environment/detail.hpp"
 #include "models/environment/generate.hpp"
@@ -72,6 +73,7 @@ class Pairs {
       ASSERT_NO_FATAL_FAILURE(in_double_[m].compare(database, active, tally)) << "double";
       ASSERT_NO_FATAL_FAILURE(in_float_[m].compare(database, active, tally)) << "float";
       ASSERT_NO_FATAL_FAILURE(in_exact_[m].compare(database, active, tally)) << "exact";
+      ASSERT_NO_FATAL_FAILURE(certified_[m].compare(database, active, tally)) << "certified";
     }
   }
 
@@ -82,6 +84,8 @@ class Pairs {
                                        Pair<float>(Method::kSoMatrix)};
   std::array<Pair<Exact>, 2> in_exact_{Pair<Exact>(Method::kCounters),
                                        Pair<Exact>(Method::kSoMatrix)};
+  std::array<Pair<Certified>, 2> certified_{Pair<Certified>(Method::kCounters),
+                                            Pair<Certified>(Method::kSoMatrix)};
 };
 
 double next(double value, Random& random) {
