@@ -5,15 +5,14 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "models/environment/input_error.hpp"
 #include "sim/drawing/heat_map.hpp"
 #include "sim/drawing/plot.hpp"
 #include "sim/drawing/svg.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace cigsim {
 namespace {
@@ -27,20 +26,9 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-std::string contents(const fs::path& file) {
-  std::ostringstream out;
-  out << std::ifstream(file, std::ios::binary).rdbuf();
-  return out.str();
-}
-
 class PlotFile : public ::testing::Test {
  protected:
-  PlotFile() {
-    std::string pattern = (fs::temp_directory_path() / "cigsim-plot-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~PlotFile() override { fs::remove_all(folder_); }
-  fs::path folder_;
+  const test::Scratch scratch_;
 };
 
 TEST(SvgDrawing, HoldsItsPartsAndEscapesWords) {
@@ -75,9 +63,9 @@ TEST_F(PlotFile, DrawsEveryCurveOfEveryPlot) {
                     .x_label = "",
                     .y_label = "",
                     .curves = {{"marks", {{-1, 2}, {0, 3}}, CurveStyle::kMarks}}};
-  const fs::path file = folder_ / "two.svg";
+  const fs::path file = scratch_.path("two.svg");
   write_plots({powers, linear}, 2, file);
-  const std::string svg = contents(file);
+  const std::string svg = test::bytes_of(file);
   for (const char* words : {"It's a 'power' law", "n^2", "y = x^2", "squares", "bars", "second"})
     EXPECT_TRUE(svg.find(words) != std::string::npos ||
                 svg.find(svg_escaped(words)) != std::string::npos)
@@ -93,9 +81,9 @@ TEST_F(PlotFile, LeavesOutWhatAnAxisCannotShow) {
                      .y_label = "",
                      .log_y = true,
                      .curves = {{"a", {{1, 0}, {2, -1}, {nan, 1}}}, {"b", {}}}};
-  const fs::path file = folder_ / "none.svg";
+  const fs::path file = scratch_.path("none.svg");
   write_plots({nothing}, 1, file);
-  EXPECT_NE(contents(file).find("nothing to draw"), std::string::npos);
+  EXPECT_NE(test::bytes_of(file).find("nothing to draw"), std::string::npos);
 }
 
 TEST_F(PlotFile, MarksAFrontAndNamesItsPoints) {
@@ -105,9 +93,9 @@ TEST_F(PlotFile, MarksAFrontAndNamesItsPoints) {
                               .points = {{1, 3}, {2, 1}, {0, 9}},
                               .style = CurveStyle::kFront,
                               .names = {"a \"quoted\" name", "second", "cannot be drawn"}}}};
-  const fs::path file = folder_ / "front.svg";
+  const fs::path file = scratch_.path("front.svg");
   write_plots({plot}, 1, file, {.width = 800, .height = 500});
-  const std::string svg = contents(file);
+  const std::string svg = test::bytes_of(file);
   for (const char* words : {"a quoted name", "second", "Pareto front"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;
   EXPECT_EQ(svg.find("cannot be drawn"), std::string::npos);
@@ -123,9 +111,9 @@ TEST_F(PlotFile, AHeatMapHasACellAValue) {
                     .rows = {"side", "clip"},
                     .values = {0.25, 0, 1, nan, 0.5, 0.125},
                     .notes = {"seed 1"}};
-  const fs::path file = folder_ / "map.svg";
+  const fs::path file = scratch_.path("map.svg");
   write_heat_maps({map, HeatMap{.title = "empty"}}, 2, file);
-  const std::string svg = contents(file);
+  const std::string svg = test::bytes_of(file);
   for (const char* words : {"1e-12", "1e12", "side", "clip", "0.25", "0.125", "seed 1",
                             "wrong decisions", "nothing to draw"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;
@@ -136,16 +124,16 @@ TEST_F(PlotFile, AHeatMapHasACellAValue) {
 
 TEST_F(PlotFile, MissingFolderLeavesNothing) {
   const Plot plot{.title = "t", .x_label = "", .y_label = "", .curves = {{"a", {{1, 1}, {2, 2}}}}};
-  EXPECT_THROW(write_plots({plot}, 1, folder_ / "missing" / "a.svg"), InputError);
-  EXPECT_TRUE(fs::is_empty(folder_));
+  EXPECT_THROW(write_plots({plot}, 1, scratch_.path("missing/a.svg")), InputError);
+  EXPECT_EQ(scratch_.files(), 0u);
 }
 
 TEST_F(PlotFile, WithoutGnuplotThePackageIsNamed) {
   const std::string path = std::getenv("PATH");
-  ::setenv("PATH", folder_.c_str(), 1);
+  ::setenv("PATH", scratch_.folder().c_str(), 1);
   EXPECT_FALSE(can_plot());
   try {
-    write_plots({}, 1, folder_ / "a.svg");
+    write_plots({}, 1, scratch_.path("a.svg"));
     ADD_FAILURE() << "drawn";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("gnuplot-nox"), std::string::npos);
