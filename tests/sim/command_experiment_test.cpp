@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "tests/sim/process.hpp"
@@ -37,6 +38,14 @@ TEST_F(CommandTest, ExperimentRefusesWhatItCannotUse) {
   expect_unusable({"experiment", "levine", "--only", "cone"}, "--only");
   put("file", "");
   expect_unusable({"experiment", "levine", "--cases", "1", "--out", "file"}, "--out");
+}
+
+TEST_F(CommandTest, ExperimentAsksForGnuplotBeforeItMeasures) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder_.c_str(), 1);
+  expect_unusable({"experiment", "levine", "--out", "levine"}, "gnuplot-nox");
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_TRUE(files().empty());
 }
 
 }  // namespace
