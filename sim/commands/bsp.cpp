@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -19,6 +18,7 @@
 #include "sim/bsp/part_names.hpp"
 #include "sim/bsp/tree_picture.hpp"
 #include "sim/commands/commands.hpp"
+#include "sim/host_time.hpp"
 #include "sim/progress.hpp"
 #include "sim/stats.hpp"
 
@@ -72,9 +72,9 @@ Result build(const Options& options) {
   result.notices.insert(result.notices.end(), polygons.notices.begin(), polygons.notices.end());
   Progress progress("building the tree");
   BspOptions build_options{options.root, [&](double share) { progress.show(share); }};
-  const auto start = std::chrono::steady_clock::now();
+  HostTime time;
   result.tree = build_bsp(std::move(polygons), build_options);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = time.lap() / 1000;
   if (options.eye) result.priorities = visibility_priorities(result.tree, *options.eye);
   return result;
 }

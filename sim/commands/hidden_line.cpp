@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,7 +16,9 @@
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
 #include "sim/embedded.hpp"
+#include "sim/experiments/hidden_line_experiment.hpp"
 #include "sim/hidden_line_picture.hpp"
+#include "sim/host_time.hpp"
 #include "sim/scene.hpp"
 #include "sim/stats.hpp"
 #include "sim/view.hpp"
@@ -38,27 +39,15 @@ struct Options {
   std::vector<std::uint32_t> wires;
 };
 
-struct CounterName {
-  const char* key;
-  const char* letters;  // Levine's
-  std::uint64_t Counters::*value;
-};
+// Beside Levine's.
+constexpr NamedCounter kOwnCounters[] = {{"decided_by_shadow", "", &Counters::decided_by_shadow},
+                                         {"exact_decisions", "", &Counters::exact}};
 
-constexpr std::array<CounterName, 13> kCounters{{
-    {"front_faces", "FF", &Counters::front_faces},
-    {"objects_considered_invisibility", "OC/I", &Counters::objects_considered_inv},
-    {"objects_in_window_invisibility", "OW/I", &Counters::objects_in_window_inv},
-    {"extreme_edges_considered_invisibility", "EEC/I", &Counters::edges_considered_inv},
-    {"intersections_computed_invisibility", "IC/I", &Counters::intersections_computed_inv},
-    {"edges_displayed", "ED", &Counters::edges_displayed},
-    {"objects_considered", "OC/HL", &Counters::objects_considered},
-    {"objects_in_window", "OW/HL", &Counters::objects_in_window},
-    {"extreme_edges_considered", "EEC/HL", &Counters::edges_considered},
-    {"intersections_computed", "IC/HL", &Counters::intersections_computed},
-    {"actual_intersections", "AI/HL", &Counters::actual_intersections},
-    {"decided_by_shadow", "", &Counters::decided_by_shadow},
-    {"exact_decisions", "", &Counters::exact},
-}};
+template <class Visit>
+void for_each_counter(Visit visit) {
+  for (const NamedCounter& c : kHiddenLineCounters) visit(c);
+  for (const NamedCounter& c : kOwnCounters) visit(c);
+}
 
 struct Scene {
   std::string name;
@@ -73,8 +62,7 @@ Scene load(const std::optional<std::string>& file) {
     scene.read = parse_json(embedded_text(embedded_scenes(), "airfield.json"), scene.name);
   } else {
     scene.name = *file;
-    const std::string ending = std::filesystem::path(*file).extension().string();
-    if ((ending == ".json" || ending == ".cbor") && is_database(*file))
+    if (is_database(*file))
       throw InputError(*file, 0,
                        "is a prepared database, whose faces are cut; give the scene it was "
                        "prepared from");
@@ -125,13 +113,14 @@ std::filesystem::path numbered(const std::string& output, std::size_t frame, std
 
 Json counters_json(const Counters& counters) {
   Json out = Json::object();
-  for (const CounterName& c : kCounters) out[c.key] = counters.*c.value;
+  for_each_counter([&](const NamedCounter& c) { out[c.key] = counters.*c.value; });
   return out;
 }
 
 void print_counters(const Counters& counters) {
-  for (const CounterName& c : kCounters)
+  for_each_counter([&](const NamedCounter& c) {
     fmt::print("  {:<8}{:<40}{:>10}\n", c.letters, c.key, counters.*c.value);
+  });
 }
 
 Json kinds_json(const HiddenLines& lines) {
@@ -161,10 +150,9 @@ int draw(const Options& options) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (moving && i > 0) lines = lines_at(scene, options, views[i].position);
     const ViewTransform view = frame_calculator::view_transform(views[i].viewpoint, raster);
-    const auto start = std::chrono::steady_clock::now();
+    HostTime time;
     lines.compute(view, options.hidden);
-    const double ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double ms = time.lap();
     const std::vector<PictureLine> drawn = picture_lines(lines, view);
     const std::filesystem::path file = numbered(options.output, i, views.size());
     write_file(file, lines_svg(drawn, raster, "Hidden lines of " + scene.name));

@@ -2,7 +2,6 @@
 #include "sim/experiments/hidden_line_experiment.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -11,12 +10,12 @@
 #include "models/environment/random.hpp"
 #include "models/environment/shapes.hpp"
 #include "models/hidden_line/scene_parts.hpp"
+#include "sim/host_time.hpp"
 
 namespace cigsim {
 namespace {
 
 using hidden_line::HiddenLines;
-using Clock = std::chrono::steady_clock;
 
 // His axes in a scene's coordinates: x to the right, y up, z towards the eye.
 struct Axes {
@@ -101,9 +100,9 @@ std::size_t edge_count(const HiddenLines& lines) {
 }
 
 HiddenLineFrame measure(HiddenLines& lines, const ViewTransform& view) {
-  const Clock::time_point start = Clock::now();
+  HostTime time;
   lines.compute(view);
-  const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  const double ms = time.lap();
   return {lines.counters(), ms};
 }
 

@@ -3,7 +3,6 @@
 // data sets, each yawed and then pitched through 360 degrees in steps of one degree.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "sim/experiments/hull_experiment.hpp"
 
-#include <chrono>
-
 #include "models/database/hull/hull.hpp"
+#include "sim/host_time.hpp"
 
 namespace cigsim {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 void add_case(HullDataSet& set, PointDistribution distribution, std::uint64_t seed,
               std::uint32_t number) {
   const std::vector<Vec3> points = random_points(distribution, set.points, seed, number);
-  const Clock::time_point start = Clock::now();
+  HostTime time;
   const Hull hull = levine_hull(points);
-  set.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+  set.seconds += time.lap() / 1000;
   const auto hull_points = static_cast<double>(hull.vertices.size());
   const auto tests = static_cast<double>(hull.counters.tests);
   const auto equivalent =

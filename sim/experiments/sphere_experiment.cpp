@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "sim/experiments/sphere_experiment.hpp"
 
-#include <chrono>
 #include <limits>
 
 #include "models/database/hull/hull.hpp"
 #include "models/database/sphere/sphere.hpp"
+#include "sim/host_time.hpp"
 
 namespace cigsim {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 void add_case(SphereDataSet& set, PointDistribution distribution, std::uint64_t seed,
               std::uint32_t number) {
   const std::vector<Vec3> points = random_points(distribution, set.points, seed, number);
-  const Clock::time_point start = Clock::now();
+  HostTime time;
   const LevineSphere result = levine_sphere(points, convex_hull(points));
-  set.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+  set.seconds += time.lap() / 1000;
   const bool found = result.sphere.has_value();
   const auto value = [&](double v) { return found ? v : std::numeric_limits<double>::infinity(); };
   const auto tests = static_cast<double>(result.tests);
