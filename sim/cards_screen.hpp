@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "models/hidden_line/galimberti_montanari.hpp"
 

@@ -51,7 +51,7 @@ std::vector<PictureLine> picture_lines(const hidden_line::HiddenLines& lines,
     const hidden_line::PartEdge& edge = part.edges[piece.edge];
     const Vec3 &a = part.vertices[edge.a], d = part.vertices[edge.b] - a;
     const auto at = [&](double t) { return t == 1 ? part.vertices[edge.b] : a + d * t; };
-    PictureLine line{{}, {}, piece.visible, part.object, edge.number};
+    PictureLine line{{}, {}, piece.visible};
     if (project_line(view, at(piece.from), at(piece.to), line.from, line.to) &&
         std::hypot(line.to.x - line.from.x, line.to.y - line.from.y) > kShortest)
       out.push_back(line);

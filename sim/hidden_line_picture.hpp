@@ -15,8 +15,6 @@ namespace cigsim {
 struct PictureLine {
   Vec2 from, to;
   bool visible = true;
-  std::uint32_t object = 0;  ///< number, from 1
-  std::uint32_t edge = 0;    ///< of the object, from 0
 };
 
 /// The part of a line in space that is in view, projected; false when there is none.

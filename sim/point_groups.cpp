@@ -25,4 +25,13 @@ std::vector<PointGroup> read_point_groups(const std::filesystem::path& file, boo
   return groups;
 }
 
+void add_points_option(CLI::App& command, std::string& file) {
+  command
+      .add_option("FILE", file,
+                  "A scene, whose objects' vertices are taken, or points, one a line: x y z (.xyz) "
+                  "or x,y,z (.csv)")
+      ->required()
+      ->type_name("");
+}
+
 }  // namespace cigsim

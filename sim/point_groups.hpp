@@ -2,6 +2,7 @@
 // The points that a command works on: of a scene, or of a plain list.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,5 +21,8 @@ struct PointGroup {
 /// .csv file, always one group. Ground faces do not take part. Throws InputError, for a scene
 /// without vertices too.
 std::vector<PointGroup> read_point_groups(const std::filesystem::path& file, bool per_object);
+
+/// Adds the positional option FILE for such points, which must be given.
+void add_points_option(CLI::App& command, std::string& file);
 
 }  // namespace cigsim

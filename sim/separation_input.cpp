@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "sim/separation_input.hpp"
 
-#include <algorithm>
-
 #include "models/database/database_file.hpp"
 #include "models/environment/input_error.hpp"
+#include "models/environment/text_file.hpp"
 #include "sim/arguments.hpp"
 
 namespace cigsim {
 
-bool is_deck(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return ending == ".deck";
-}
+bool is_deck(const std::filesystem::path& file) { return lower_ending(file) == "deck"; }
 
 SeparationInput read_separation_input(const std::filesystem::path& file) {
   if (is_database(file))

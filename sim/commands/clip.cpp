@@ -3,7 +3,6 @@
 // view of a scene.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <string>
 

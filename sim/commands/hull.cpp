@@ -156,12 +156,7 @@ void add_hull(CLI::App& program, int& exit_code) {
       "  cigsim hull points.xyz -o hull.obj      the hull as a scene that `cigsim run` takes\n"
       "  cigsim hull city.json --per-object      one hull for each object\n"
       "  cigsim hull points.csv --levine         Levine's algorithm of 1975, with his counts\n");
-  command
-      ->add_option("FILE", options->file,
-                   "A scene, whose objects' vertices are taken, or points, one a line: x y z "
-                   "(.xyz) or x,y,z (.csv)")
-      ->required()
-      ->type_name("");
+  add_points_option(*command, options->file);
   command
       ->add_option("-o,--output", options->output,
                    "Write the hull; the ending chooses OFF, OBJ, JSON or CBOR")

@@ -4,7 +4,6 @@
 #include "models/survey/sorting/sorts.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>

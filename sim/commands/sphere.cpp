@@ -178,12 +178,7 @@ void add_sphere(CLI::App& program, int& exit_code) {
       "  cigsim sphere points.xyz                     centre, radius, and what it rests on\n"
       "  cigsim sphere city.json --per-object --json  one sphere for each object\n"
       "  cigsim sphere points.csv --method levine     Levine's search of 1975, with his counts\n");
-  command
-      ->add_option("FILE", options->file,
-                   "A scene, whose objects' vertices are taken, or points, one a line: x y z "
-                   "(.xyz) or x,y,z (.csv)")
-      ->required()
-      ->type_name("");
+  add_points_option(*command, options->file);
   command
       ->add_option_function<std::string>(
           "--method",

@@ -13,16 +13,7 @@ std::string attributes(const SvgStyle& style) {
   return out;
 }
 
-const char* name_of(SvgAnchor anchor) {
-  switch (anchor) {
-    case SvgAnchor::kMiddle:
-      return "middle";
-    case SvgAnchor::kEnd:
-      return "end";
-    default:
-      return "start";
-  }
-}
+const char* name_of(SvgAnchor anchor) { return anchor == SvgAnchor::kMiddle ? "middle" : "start"; }
 
 }  // namespace
 

@@ -18,7 +18,7 @@ struct SvgStyle {
   std::string_view fill = "none";
 };
 
-enum class SvgAnchor { kStart, kMiddle, kEnd };
+enum class SvgAnchor { kStart, kMiddle };
 
 class SvgDrawing {
  public:
@@ -28,7 +28,7 @@ class SvgDrawing {
   void line(const Vec2& from, const Vec2& to, const SvgStyle& style = {});
   void polygon(std::span<const Vec2> corners, const SvgStyle& style);
   void circle(const Vec2& centre, double radius, const SvgStyle& style);
-  /// `at` is the left, middle or right end of the words' base line; `size` the height of letters.
+  /// `at` is the left end or the middle of the words' base line; `size` the height of letters.
   void text(const Vec2& at, std::string_view words, double size = 12,
             SvgAnchor anchor = SvgAnchor::kStart, std::string_view fill = "#1b1b1b");
 

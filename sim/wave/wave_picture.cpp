@@ -9,6 +9,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "sim/drawing/svg.hpp"
+
 namespace cigsim {
 namespace {
 
@@ -43,23 +45,6 @@ constexpr const char* kStyle =
     ".x{fill:#fbe3e1;stroke:#b42318;stroke-width:1.2;stroke-linejoin:round}"
     ".y{fill:#b42318}"
     ".z{fill:none;stroke:#b7791f;stroke-width:1.5}";
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
 
 // With a thin space between thousands.
 std::string spaced(double value) {
@@ -208,19 +193,21 @@ class Drawing {
     if (row.kind == ViewRow::Kind::kBlank) return;
     if (row.kind == ViewRow::Kind::kHeading) {
       const double base = top + kHeading - 10;
-      put("<text class=\"h\" x=\"{}\" y=\"{:.1f}\">{}</text>", kMargin, base, escaped(row.label));
+      put("<text class=\"h\" x=\"{}\" y=\"{:.1f}\">{}</text>", kMargin, base,
+          svg_escaped(row.label));
       put("<path class=\"r\" d=\"M{} {:.1f}H{}\"/>\n", kMargin, base + 5.5, right_);
       return;
     }
     const double middle = top + kRow / 2;
     const WaveTrace& trace = wave_.traces[row.trace];
-    put("<g><title>{}{}</title>\n", escaped(trace.signal.name), escaped(trace.signal.range));
+    put("<g><title>{}{}</title>\n", svg_escaped(trace.signal.name),
+        svg_escaped(trace.signal.range));
     const double space = left_ - kGap / 2 - kMargin - indent_;
     const auto fits = static_cast<std::size_t>(space / text_width(1, kLabel));
     const std::string label =
         row.label.size() <= fits ? row.label : "…" + row.label.substr(row.label.size() - fits + 1);
     put("<text class=\"n\" x=\"{}\" y=\"{:.1f}\">{}</text>\n", kMargin + indent_, middle + 4,
-        escaped(label));
+        svg_escaped(label));
     if (trace.signal.width == 1 && !trace.signal.real)
       draw_bit(trace, middle);
     else
@@ -344,7 +331,8 @@ class Drawing {
     const bool large = text_width(text.size(), kText) <= space;
     if (!large && text_width(text.size(), kSmallText) > space) return;
     put("<text class=\"{}{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", large ? "v" : "w",
-        unknown ? " y" : "", (s.begin + s.end) / 2, middle + (large ? 3.8 : 3.2), escaped(text));
+        unknown ? " y" : "", (s.begin + s.end) / 2, middle + (large ? 3.8 : 3.2),
+        svg_escaped(text));
   }
 
   const Wave& wave_;
