@@ -191,6 +191,11 @@ void check_machine(const std::vector<OraclePolygon>& polygons, const Database& d
   expect_near_edges(rounded[0], "double");
   expect_equal(rounded[0], rounded[1], raster, "double, SO matrix and active list");
   expect_equal(rounded[0], rounded[2], raster, "double, painter");
+
+  const auto certified = machines(NumberType::kCertified);
+  expect_equal(exact[0], certified[0], raster, "certified");
+  expect_equal(exact[0], certified[1], raster, "certified, SO matrix and active list");
+  expect_equal(exact[0], certified[2], raster, "certified, painter");
   EXPECT_EQ(faults, 0u) << "listability";
   ++tally.pictures;
   tally.elements += want.size();

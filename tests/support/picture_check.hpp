@@ -37,6 +37,7 @@ enum class Strictness { kEveryElement, kNearEdges };
 ///  told;
 ///  - in double they all give one picture, which differs from the oracle's near edges only,
 ///    those that preparation cut among them;
+///  - in certified numbers they all give the exact picture, on every element;
 ///  - no group's counts were at fault.
 /// `what` tells of the case in messages.
 void check_machine(const std::vector<OraclePolygon>& polygons, const Database& database,
