@@ -93,8 +93,9 @@ void remove_left_behind(const fs::path& folder) {
 // The steps that the build's script tells.
 constexpr const char* kSteps[] = {"verilator", "compiler", "link"};
 
-// Builds `library`; false where that fails, with what was said in `log`.
-bool build(const RtlVariant& variant, const fs::path& library, const fs::path& log) {
+}  // namespace
+
+bool build_rtl_library(const RtlVariant& variant, const fs::path& library, const fs::path& log) {
   const fs::path folder = library.parent_path();
   const fs::path sources = folder / fmt::format("sources-{}.{}", rtl_hash(variant.stage), getpid());
   write_rtl_sources(sources);
@@ -128,8 +129,6 @@ bool build(const RtlVariant& variant, const fs::path& library, const fs::path& l
   if (built) fs::remove(log);
   return built && !error;
 }
-
-}  // namespace
 
 std::optional<RtlVariant> shipped_rtl(const RtlVariant& wanted) {
   std::optional<RtlVariant> best;
@@ -169,7 +168,7 @@ RtlLibrary rtl_library(const RtlVariant& variant, const Say& say) {
     const fs::path log = fmt::format("{}.log", library.string());
     try {
       if (lock.held()) remove_left_behind(folder);
-      if (build(variant, library, log)) return {library, variant};
+      if (build_rtl_library(variant, library, log)) return {library, variant};
       reason = fmt::format("its build failed, see {}", log.string());
     } catch (const std::runtime_error& error) {
       reason = fmt::format("it cannot be built: {}", error.what());

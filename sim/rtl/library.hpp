@@ -33,4 +33,10 @@ std::optional<RtlVariant> shipped_rtl(const RtlVariant& wanted);
 /// where there is none either.
 RtlLibrary rtl_library(const RtlVariant& variant, const Say& say);
 
+/// Builds `library` now, whatever is there already, in its folder, which exists and is written to
+/// by nobody else. False where that fails, with what was said in `log`. Throws std::runtime_error
+/// where the build cannot be started.
+bool build_rtl_library(const RtlVariant& variant, const std::filesystem::path& library,
+                       const std::filesystem::path& log);
+
 }  // namespace cigsim

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The experiments of `cigsim experiment`, one file each, and the options that they share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+namespace cigsim {
+
+/// Each adds its subcommand to `experiment`, as those of commands.hpp.
+void add_experiment_levine(CLI::App& experiment, int& exit_code);
+void add_experiment_economies(CLI::App& experiment, int& exit_code);
+void add_experiment_growth(CLI::App& experiment, int& exit_code);
+
+/// --seed S.
+void add_seed_option(CLI::App& command, std::uint64_t& seed);
+
+/// Makes the folder of --out. Throws UsageError where that is impossible, or gnuplot is missing,
+/// which draws what goes into it.
+void make_out_folder(const std::string& folder);
+
+}  // namespace cigsim
