@@ -2,7 +2,8 @@
 #include "models/database/separation_planes/divider.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <optional>
+#include <string>
 #include <tuple>
 
 namespace cigsim::separation_planes {
@@ -20,10 +21,8 @@ struct Sides {
 
 class Divider {
  public:
-  Divider(SideTable& table, const std::optional<Set>& only) : table_(table) {
-    if (only) allowed_ = *only;
-    if (!only)
-      for (std::uint32_t c = 0; c < table.candidates().size(); ++c) allowed_.push_back(c);
+  explicit Divider(SideTable& table) : table_(table) {
+    for (std::uint32_t c = 0; c < table.candidates().size(); ++c) allowed_.push_back(c);
   }
 
   DividedTable run() {
@@ -230,8 +229,6 @@ NotToBeSplit::NotToBeSplit(std::uint32_t object)
     : std::runtime_error("object " + std::to_string(object) +
                          " would have to be split, but is no closed convex body") {}
 
-DividedTable divide(SideTable& table, const std::optional<std::vector<std::uint32_t>>& only) {
-  return Divider(table, only).run();
-}
+DividedTable divide(SideTable& table) { return Divider(table).run(); }
 
 }  // namespace cigsim::separation_planes

@@ -13,8 +13,6 @@
 //     good, so this comes to an end.
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -47,8 +45,7 @@ struct DividedTable {
 };
 
 /// Divides all bodies of the table, which gets the further candidates and the parts of what is
-/// split. Throws NotApart and NotToBeSplit. `only`: uses these candidates and no others, which must
-/// do.
-DividedTable divide(SideTable& table, const std::optional<std::vector<std::uint32_t>>& only = {});
+/// split. Throws NotApart and NotToBeSplit.
+DividedTable divide(SideTable& table);
 
 }  // namespace cigsim::separation_planes

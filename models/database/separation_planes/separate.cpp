@@ -125,13 +125,9 @@ class Separation {
                                 fewest.by_pockets, space.tried(),   space.sides().size()};
     if (fewest.planes.empty()) return std::nullopt;
     std::vector<Candidate> few;
-    std::vector<std::uint32_t> all;
-    for (const std::uint32_t side : fewest.planes) {
-      all.push_back(static_cast<std::uint32_t>(few.size()));
-      few.push_back(space.candidate(side));
-    }
+    for (const std::uint32_t side : fewest.planes) few.push_back(space.candidate(side));
     SideTable own(bodies_of(deck_), std::move(few));
-    DividedTable divided = divide(own, all);
+    DividedTable divided = divide(own);
     return std::pair(std::move(own), std::move(divided));
   }
 
