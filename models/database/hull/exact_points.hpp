@@ -38,8 +38,6 @@ class ExactPoints {
   std::span<const Vec3> scaled() const { return scaled_; }
   const Vec3& original(std::uint32_t i) const { return points_[i]; }
   int exponent() const { return exponent_; }
-  /// Lengths of the sides of the scaled points' box, rounded up.
-  const Vec3& extent() const { return extent_; }
 
   /// The plane through a, b, c, normal on the side from which they run anticlockwise, with a bound
   /// that holds for all the points.
@@ -60,7 +58,7 @@ class ExactPoints {
  private:
   std::span<const Vec3> points_;
   std::vector<Vec3> scaled_;
-  Vec3 extent_;
+  Vec3 extent_;  // lengths of the sides of the scaled points' box, rounded up
   int exponent_ = 0;
   bool expansions_ = true;  // every scaled coordinate is 0 or at least 2^-250
 };

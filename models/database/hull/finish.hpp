@@ -3,6 +3,9 @@
 // extreme points dropped.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "models/database/hull/hull.hpp"
 #include "models/database/hull/polyhedron.hpp"
 #include "models/database/hull/start.hpp"
@@ -28,5 +31,18 @@ Hull finish_hull(const Polyhedron& polyhedron, const HullCounters& counters);
 
 /// The hull of points that do not span space (start.dimension below 3).
 Hull flat_hull(const ExactPoints& points, const HullStart& start);
+
+/// The hull of any points. Search(points, start, extreme points) looks for it where they span
+/// space: run() finds polyhedron(), with counters().
+template <class Search>
+Hull find_hull(std::span<const Vec3> given) {
+  const ExactPoints points(given);
+  const std::vector<std::uint32_t> extreme = extreme_points(points);
+  const HullStart start = find_start(points, extreme);
+  if (start.dimension < 3) return flat_hull(points, start);
+  Search search(points, start, extreme);
+  search.run();
+  return finish_hull(search.polyhedron(), search.counters());
+}
 
 }  // namespace cigsim

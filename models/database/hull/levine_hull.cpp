@@ -128,15 +128,7 @@ class LevineSearch {
 
 }  // namespace
 
-Hull levine_hull(std::span<const Vec3> given) {
-  const ExactPoints points(given);
-  const std::vector<std::uint32_t> extreme = extreme_points(points);
-  const HullStart start = find_start(points, extreme);
-  if (start.dimension < 3) return flat_hull(points, start);
-  LevineSearch search(points, start, extreme);
-  search.run();
-  return finish_hull(search.polyhedron(), search.counters());
-}
+Hull levine_hull(std::span<const Vec3> points) { return find_hull<LevineSearch>(points); }
 
 std::uint64_t equivalent_tests(std::size_t points, std::size_t faces) {
   return 3 * static_cast<std::uint64_t>(points) * faces;

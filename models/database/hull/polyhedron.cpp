@@ -16,7 +16,6 @@ std::uint32_t Polyhedron::new_face(const HullTriangle& corner) {
   face.corner = corner;
   face.alive = true;
   face.visit = 0;
-  ++alive_;
   return place;
 }
 
@@ -38,7 +37,6 @@ void Polyhedron::set_neighbour(std::uint32_t face, std::uint32_t from, std::uint
 
 void Polyhedron::build_cap(std::uint32_t apex) {
   for (const std::uint32_t place : removed_) faces_[place].alive = false;
-  alive_ -= removed_.size();
   added_.clear();
   for (const RimEdge& edge : rim_) {
     const std::uint32_t place = new_face({edge.from, edge.to, apex});
@@ -53,14 +51,6 @@ void Polyhedron::build_cap(std::uint32_t apex) {
     faces_[place].neighbour[1] = next;
     faces_[next].neighbour[2] = place;
   }
-}
-
-std::vector<HullTriangle> Polyhedron::triangles() const {
-  std::vector<HullTriangle> out;
-  out.reserve(alive_);
-  for (const Face& face : faces_)
-    if (face.alive) out.push_back(face.corner);
-  return out;
 }
 
 }  // namespace cigsim

@@ -49,7 +49,6 @@ class Polyhedron {
   const Face& face(std::uint32_t i) const { return faces_[i]; }
   /// Places of faces in use or used before.
   std::size_t face_places() const { return faces_.size(); }
-  std::size_t alive_faces() const { return alive_; }
 
   /// True when `point` lies strictly outside the plane of the face, exactly.
   bool sees(std::uint32_t face, std::uint32_t point) {
@@ -67,7 +66,6 @@ class Polyhedron {
 
   const ExactPoints& points() const { return points_; }
   std::uint64_t exact() const { return exact_; }
-  std::vector<HullTriangle> triangles() const;
 
  private:
   struct RimEdge {
@@ -83,7 +81,6 @@ class Polyhedron {
   std::vector<std::uint32_t> free_, removed_, added_;
   std::vector<RimEdge> rim_;
   std::vector<std::uint32_t> edge_face_;  // by corner: the new face whose rim edge starts there
-  std::size_t alive_ = 0;
   std::uint32_t visit_ = 0;
   std::uint64_t exact_ = 0;
 };

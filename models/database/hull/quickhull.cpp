@@ -206,14 +206,6 @@ void Quickhull::first_pass() {
 
 }  // namespace
 
-Hull convex_hull(std::span<const Vec3> given) {
-  const ExactPoints points(given);
-  const std::vector<std::uint32_t> extreme = extreme_points(points);
-  const HullStart start = find_start(points, extreme);
-  if (start.dimension < 3) return flat_hull(points, start);
-  Quickhull search(points, start, extreme);
-  search.run();
-  return finish_hull(search.polyhedron(), search.counters());
-}
+Hull convex_hull(std::span<const Vec3> points) { return find_hull<Quickhull>(points); }
 
 }  // namespace cigsim

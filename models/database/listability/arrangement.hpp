@@ -55,9 +55,6 @@ class Arrangement {
  public:
   explicit Arrangement(const std::vector<Plane>& planes);
 
-  std::size_t size() const { return planes_.size(); }
-  const WholePlane& plane(std::size_t p) const { return planes_[p]; }
-
   /// True when an eyepoint with these sides exists. At most three sides; a plane may occur twice.
   bool can_see(std::span<const EyeSide> sides) const;
 

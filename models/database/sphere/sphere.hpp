@@ -6,7 +6,6 @@
 // the radius are rounded, the radius upward, so that the sphere given encloses every point.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
