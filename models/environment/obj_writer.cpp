@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <charconv>
 #include <cstdio>
 #include <string>
 
+#include "models/environment/coordinates_text.hpp"
 #include "models/environment/detail.hpp"
 #include "models/environment/placement.hpp"
 #include "models/environment/scene_writers.hpp"
 
 namespace cigsim {
 namespace {
-
-void append(std::string& line, double value) {
-  char digits[40];
-  line += ' ';
-  line.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-}
 
 std::string material(const std::optional<Colour>& colour) {
   if (!colour) return "rgb_none";
@@ -45,10 +39,8 @@ void write_obj(const Environment& environment, std::ostream& out) {
       continue;
     }
     for (const Vec3& p : placed(object.vertices, first_placement(environment, object))) {
-      text += 'v';
-      append(text, p.x);
-      append(text, p.y);
-      append(text, p.z);
+      text += "v ";
+      append_coordinates(text, p);
       text += '\n';
     }
     for (const Face& face : object.faces) {

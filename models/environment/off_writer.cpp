@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "models/environment/off_writer.hpp"
 
-#include <charconv>
 #include <string>
+
+#include "models/environment/coordinates_text.hpp"
 
 namespace cigsim {
 namespace {
 
-void append(std::string& line, double value) {
-  char digits[40];
-  line.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-}
-
 void write_vertices(const Object& object, std::ostream& out) {
   std::string text;
   for (const Vec3& v : object.vertices) {
-    append(text, v.x);
-    text += ' ';
-    append(text, v.y);
-    text += ' ';
-    append(text, v.z);
+    append_coordinates(text, v);
     text += '\n';
   }
   out << text;
