@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "models/geometry_processor/memory.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "models/machine/scale.hpp"
+#include "models/numeric/unit_normal.hpp"
 
 namespace cigsim::geometry_processor {
 namespace {
 
 Word word(std::size_t value) { return static_cast<Word>(value); }
-
-// Of length 1, or zero when the plane has no normal.
-Vec3 unit_normal(const Plane& plane) {
-  const Vec3& n = plane.normal;
-  const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-  if (!(most > 0)) return {};
-  const Vec3 scaled{n.x / most, n.y / most, n.z / most};
-  const double length = std::sqrt(dot(scaled, scaled));
-  return {scaled.x / length, scaled.y / length, scaled.z / length};
-}
 
 void check(std::uint32_t count, std::uint32_t capacity, const char* what, const char* figure,
            const MachineDescription& machine) {

@@ -8,6 +8,7 @@
 
 #include "models/database/separation_pairs.hpp"
 #include "models/machine/scale.hpp"
+#include "models/numeric/unit_normal.hpp"
 
 namespace cigsim::priority_processor {
 namespace {
@@ -52,13 +53,10 @@ bool add_plane(const PlaneWords& plane, const std::vector<MemberPair>& pairs, Wo
 }  // namespace
 
 PlaneWords plane_words(const Plane& plane, int scale, const WordFormats& formats) {
-  const Vec3& n = plane.normal;
-  const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+  const Vec3 n = unit_normal(plane);
   PlaneWords words;
-  if (largest == 0) return words;  // every point is on the plane
-  const double x = n.x / largest, y = n.y / largest, z = n.z / largest;
-  const double length = std::sqrt(x * x + y * y + z * z);
-  const double normal[3] = {x, y, z};
+  if (n == Vec3{}) return words;  // every point is on the plane
+  const double normal[3] = {n.x, n.y, n.z};
   const double point[3] = {plane.exact.p.x, plane.exact.p.y, plane.exact.p.z};
   constexpr double kLimit = 0x1p62;
   // The whole and the broken part of each coordinate apart: products of the former are exact.
@@ -66,7 +64,7 @@ PlaneWords plane_words(const Plane& plane, int scale, const WordFormats& formats
   double broken = 0, estimate = 0;
   bool near = true;
   for (int i = 0; i < 3; ++i) {
-    words.normal[i] = direction_word(normal[i] / length, formats);
+    words.normal[i] = direction_word(normal[i], formats);
     if (words.normal[i] == 0) continue;
     const double scaled = std::ldexp(point[i], scale);
     const double down = std::floor(scaled);

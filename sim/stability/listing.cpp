@@ -7,6 +7,7 @@
 
 #include "models/boundary/certified_edges.hpp"
 #include "models/machine/scale.hpp"
+#include "models/numeric/unit_normal.hpp"
 #include "models/priority_processor/functional.hpp"
 #include "models/priority_processor/functional_words.hpp"
 #include "sim/stability/posing.hpp"
@@ -131,7 +132,7 @@ double plane_bound_in_words(const PlaneDefinition& plane, const ViewTransform& v
                             const Format& format) {
   const Table table{2, {plane}, {{0, 1}}};
   const int scale = scale_of(database_of(table), view, format);
-  const Vec3 n = unit(make_plane(plane).normal), d = view.eye - plane.p;
+  const Vec3 n = unit_normal(make_plane(plane)), d = view.eye - plane.p;
   const double half_direction = std::ldexp(1, -format.machine.formats.direction_fraction - 1);
   const double words = (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) / 2 + 0x1p-31;
   return std::ldexp(words, -scale) +
