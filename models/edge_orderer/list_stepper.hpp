@@ -5,7 +5,7 @@
 
 #include <unordered_map>
 
-#include "models/boundary/certified_edges.hpp"
+#include "models/edge_orderer/exact_line.hpp"
 #include "models/edge_orderer/stepper.hpp"
 
 namespace cigsim::edge_orderer {
@@ -38,14 +38,9 @@ class ListStepper<Certified> {
  private:
   void redo(const EdgeList<Certified>& list, std::uint32_t edge, int begin, int end, int width,
             std::int32_t* element);
-  const Edge<Exact>& exact_edge(const EdgeList<Certified>& list, std::uint32_t edge);
 
-  std::unordered_map<std::uint32_t, Edge<Exact>> exact_;  // by edge, those that were needed
+  std::unordered_map<std::uint32_t, ExactLine> exact_;  // by edge, those that were needed
   std::uint64_t redone_ = 0;
 };
-
-/// The edge without rounding: where the plane through the eyepoint and two vertices meets the
-/// raster.
-Edge<Exact> exact_edge(const EdgeList<Certified>& list, const Edge<Certified>& edge);
 
 }  // namespace cigsim::edge_orderer

@@ -37,6 +37,8 @@
 #include <cmath>
 #include <limits>
 
+#include "models/boundary/exact_direction.hpp"
+
 namespace cigsim::geometry_processor {
 namespace {
 
@@ -49,11 +51,6 @@ constexpr std::uint8_t kUnplaced = 0x10;
 constexpr double kLargest = 0x1p400;
 
 double size(double x, double y, double z) { return std::abs(x) + std::abs(y) + std::abs(z); }
-
-ExactVec exact_position(const FaceSet& set, std::uint32_t vertex) {
-  const ExactVec* cut = set.exact(vertex);
-  return cut != nullptr ? *cut : convert<Exact>(set.vertices[vertex]);
-}
 
 }  // namespace
 
@@ -138,18 +135,26 @@ void Functional<Certified>::classify(const FaceSet& set, const Item& item, std::
 void Functional<Certified>::classify_exactly(const FaceSet& set, std::uint32_t vertex,
                                              std::uint32_t i) {
   ++redone_.vertices_redone;
-  const PyramidSides<Exact> sides(*view_);
-  const ExactVec d = exact_position(set, vertex) - convert<Exact>(view_->eye);
-  const ExactVec p = convert<Exact>(view_->rotation) * d;
-  codes_[i] = sides.outcode({p.x, p.y, p.z});
+  const PyramidSides<Dyadic> sides(*view_);
+  const auto [u, v, w] = exact_direction(set, vertex, *view_);
+  codes_[i] = sides.outcode({u, v, w});
   if (codes_[i] != 0) return;
-  if (sgn(p.x) <= 0 || !(points_[i].u > 2 * points_[i].error)) {
+  if (u.sign() <= 0 || !(points_[i].u > 2 * points_[i].error)) {
     codes_[i] = kUnplaced;
     return;
   }
   places_[i] = project(points_[i]);
-  const Exact y = sides.half_height() - sides.focal() * p.z / p.x;
-  places_[i].line = ceil_clamped(Exact(y - Exact(0.5)), 0, view_->raster.height);
+  places_[i].line = first_line(u, w);
+}
+
+// The first line whose sample is not above a point within the pyramid: half_height - focal w/u -
+// 1/2, rounded up.
+int Functional<Certified>::first_line(const Dyadic& u, const Dyadic& w) const {
+  const Dyadic above = Dyadic(half_height_ - 0.5) * u - Dyadic(view_->focal) * w;
+  const int exponent = u.exponent_or(0), common = std::min(exponent, above.exponent_or(exponent));
+  mpz_class line;
+  mpz_cdiv_q(line.get_mpz_t(), above.whole(common).get_mpz_t(), u.whole(common).get_mpz_t());
+  return std::clamp(static_cast<int>(line.get_si()), 0, view_->raster.height);
 }
 
 // As PyramidSides counts them.

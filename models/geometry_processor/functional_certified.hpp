@@ -14,6 +14,7 @@
 
 #include "models/boundary/certified_edges.hpp"
 #include "models/geometry_processor/functional.hpp"
+#include "models/numeric/dyadic.hpp"
 
 namespace cigsim::geometry_processor {
 
@@ -59,6 +60,7 @@ class Functional<Certified> {
   Point viewpoint_position(const Vec3& vertex) const;
   void classify(const FaceSet& set, const Item& item, std::uint32_t i);
   void classify_exactly(const FaceSet& set, std::uint32_t vertex, std::uint32_t i);
+  int first_line(const Dyadic& u, const Dyadic& w) const;
   double distance(int side, const Point& p) const;
   Place project(const Point& p) const;
   bool find_line(Place& place) const;

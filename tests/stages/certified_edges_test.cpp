@@ -152,7 +152,7 @@ Tally worlds(std::uint64_t seed, int count, double caution, double scale = 1,
 }
 
 TEST(CertifiedEdges, AreTheExactOnesInDegenerateWorlds) {
-  const Tally tally = worlds(100, 160, 1);
+  const Tally tally = worlds(100, 64, 1);
   EXPECT_LT(tally.largest_share, 1);
   EXPECT_GT(tally.vertices_redone, 0u);
   EXPECT_GT(tally.crossings_redone, 0u);
@@ -162,14 +162,14 @@ TEST(CertifiedEdges, AreTheExactOnesInDegenerateWorlds) {
 TEST(CertifiedEdges, AreTheExactOnesHoweverMuchIsRedone) {
   for (const double caution : {1e6, 1e9, 1e11, std::numeric_limits<double>::infinity()}) {
     SCOPED_TRACE(caution);
-    const Tally tally = worlds(300, 24, caution);
+    const Tally tally = worlds(300, 16, caution);
     EXPECT_GT(tally.crossings_redone, caution > 1e10 ? tally.crossings / 4 : 0);
   }
 }
 
 // The check can fail: without bounds the rounded decisions differ from the exact ones.
 TEST(CertifiedEdges, WithoutBoundsAreWrong) {
-  const Tally tally = worlds(100, 160, 0);
+  const Tally tally = worlds(100, 64, 0);
   EXPECT_GT(tally.wrong, 0u);
   std::cout << tally.wrong << " lists are wrong without bounds\n";
 }
@@ -177,14 +177,14 @@ TEST(CertifiedEdges, WithoutBoundsAreWrong) {
 TEST(CertifiedEdges, AreTheExactOnesAtEveryScale) {
   for (const double scale : {0x1p-40, 0x1p-20, 0x1p20, 0x1p40}) {
     SCOPED_TRACE(scale);
-    EXPECT_LT(worlds(500, 24, 1, scale).largest_share, 1);
+    EXPECT_LT(worlds(500, 16, 1, scale).largest_share, 1);
   }
 }
 
 TEST(CertifiedEdges, AreTheExactOnesFarFromTheOrigin) {
   for (const double offset : {1e3, 6.4e6, 1e9}) {
     SCOPED_TRACE(offset);
-    EXPECT_LT(worlds(600, 24, 1, 1, {offset, -offset / 2, offset / 4}).largest_share, 1);
+    EXPECT_LT(worlds(600, 16, 1, 1, {offset, -offset / 2, offset / 4}).largest_share, 1);
   }
 }
 
