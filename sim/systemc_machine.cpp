@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/systemc_machine.hpp"
 
-#include <array>
 #include <exception>
 #include <sstream>
 #include <stdexcept>
@@ -27,7 +26,7 @@
 #include "sim/connection.hpp"
 #include "sim/cosim/twin.hpp"
 #include "sim/frame_figures.hpp"
-#include "sim/host_time.hpp"
+#include "sim/frame_log.hpp"
 #include "sim/sequencer.hpp"
 
 namespace cigsim {
@@ -62,7 +61,6 @@ struct RtlStageModel {
 
 }  // namespace
 
-// The pictures in the machine are at most three, so that figures have four places by turns.
 class SystemcMachine::Impl : public sc_core::sc_module {
  public:
   Impl(sc_core::sc_module_name name, const PipelineOptions& options)
@@ -108,11 +106,9 @@ class SystemcMachine::Impl : public sc_core::sc_module {
     sensitive << stop_;
   }
 
-  void feed(Next next, Out out) {
-    next_ = std::move(next);
-    out_ = std::move(out);
-    time_ = {};
-  }
+  void feed(Next next, Out out) { frames_.feed(std::move(next), std::move(out)); }
+  // What a callback of this machine threw, once.
+  std::exception_ptr take_failure() { return std::exchange(frames_.failure, nullptr); }
 
   void set_probe(const Probe& probe) {
     for_each_connection(
@@ -153,9 +149,6 @@ class SystemcMachine::Impl : public sc_core::sc_module {
   void finish_recording() {
     if (recorder_) recorder_->finish();
   }
-
-  // What a callback of this machine threw.
-  std::exception_ptr failure;
 
  private:
   bool pins(Stage stage) const { return has_pins(options_.levels[stage]); }
@@ -245,8 +238,8 @@ class SystemcMachine::Impl : public sc_core::sc_module {
                                  edges_loaded_.link,     faces_loaded_.link,   shown_.link};
     sequencer_ = std::make_unique<Sequencer>(
         "sequencer", options_.description.frame_cycles, links,
-        Sequencer::Calls{[this](std::uint32_t frame) { return next_frame(frame); },
-                         [this](std::uint32_t k, Cycle cycle) { frame_started(k, cycle); },
+        Sequencer::Calls{[this](std::uint32_t frame) { return frames_.next(frame); },
+                         [this](std::uint32_t k, Cycle cycle) { frames_.started(k, cycle); },
                          [this] { clock_.stop(); }});
     for (const Stage stage : kAllStages)
       if (pins(stage)) clock_.start();
@@ -256,15 +249,15 @@ class SystemcMachine::Impl : public sc_core::sc_module {
     calculator_ = std::make_unique<frame_calculator::Timed>(
         "frame_calculator", options_.description,
         frame_calculator::Timed::Links{start_calculator_.link, calculated_.link},
-        [this](std::uint32_t frame) { return calculate(frame); },
+        [this](std::uint32_t frame) { return frames_.calculate(loader_, frame); },
         [this](const frame_calculator::Figures& f) {
-          note(Stage::kFrameCalculator, f, [](FrameStats&) {});
+          frames_.note(Stage::kFrameCalculator, f, [](FrameStats&) {});
         });
   }
 
   void make_priority() {
     const auto report = [this](const priority_processor::Figures& f) {
-      note(Stage::kPriorityProcessor, f, [this, &f](FrameStats& stats) {
+      frames_.note(Stage::kPriorityProcessor, f, [this, &f](FrameStats& stats) {
         add_figures(stats, f, loader_.named_faults(f.frame, f.faults));
       });
     };
@@ -306,7 +299,8 @@ class SystemcMachine::Impl : public sc_core::sc_module {
 
   void make_geometry() {
     const auto report = [this](const geometry_processor::Figures& f) {
-      note(Stage::kGeometryProcessor, f, [&f](FrameStats& stats) { add_figures(stats, f); });
+      frames_.note(Stage::kGeometryProcessor, f,
+                   [&f](FrameStats& stats) { add_figures(stats, f); });
     };
     if (!pins(Stage::kGeometryProcessor)) {
       geometry_.timed = std::make_unique<geometry_processor::Timed>(
@@ -328,7 +322,7 @@ class SystemcMachine::Impl : public sc_core::sc_module {
 
   void make_orderer() {
     const auto report = [this](const edge_orderer::Figures& f) {
-      note(Stage::kEdgeOrderer, f, [&f](FrameStats& stats) { add_figures(stats, f); });
+      frames_.note(Stage::kEdgeOrderer, f, [&f](FrameStats& stats) { add_figures(stats, f); });
     };
     constexpr Stage kStage = Stage::kEdgeOrderer;
     if (!pins(kStage)) {
@@ -375,7 +369,8 @@ class SystemcMachine::Impl : public sc_core::sc_module {
 
   void make_resolver() {
     const auto report = [this](const priority_resolver::Figures& f) {
-      note(Stage::kPriorityResolver, f, [&f](FrameStats& stats) { stats.spans = f.face_spans; });
+      frames_.note(Stage::kPriorityResolver, f,
+                   [&f](FrameStats& stats) { stats.spans = f.face_spans; });
     };
     constexpr Stage kStage = Stage::kPriorityResolver;
     if (!pins(kStage)) {
@@ -414,19 +409,13 @@ class SystemcMachine::Impl : public sc_core::sc_module {
   void make_video() {
     const video_processor::Outputs outputs{
         [this](const video_processor::Figures& f) {
-          note(Stage::kVideoProcessor, f, [&f](FrameStats& stats) {
+          frames_.note(Stage::kVideoProcessor, f, [&f](FrameStats& stats) {
             stats.overload->late_lines = f.late_lines;
             stats.overload->worst_lateness = f.worst_lateness;
           });
         },
         [this](std::uint32_t frame, const Picture& picture, Cycle first, Cycle last) {
-          FrameTiming& timing = *stats_of(frame).timing;
-          timing.first_element = first;
-          timing.last_element = last;
-          timing.period[2] = last + 1 - last_start_;
-          if (const Cycle frame_cycles = options_.description.frame_cycles; frame_cycles > 0)
-            for (const Cycle period : timing.period) timing.extended += period > frame_cycles;
-          picture_ = &picture;
+          frames_.shown(frame, picture, first, last, options_.description.frame_cycles);
         },
         {}};
     if (!pins(Stage::kVideoProcessor)) {
@@ -448,68 +437,6 @@ class SystemcMachine::Impl : public sc_core::sc_module {
   }
 
   void end() { sc_core::sc_stop(); }
-
-  // ---- frames
-
-  FrameStats& stats_of(std::uint32_t frame) { return stats_[frame % stats_.size()]; }
-
-  bool next_frame(std::uint32_t frame) {
-    try {
-      job_ = next_ && !failure ? next_() : std::nullopt;
-    } catch (...) {
-      failure = std::current_exception();
-      job_.reset();
-    }
-    if (!job_) return false;
-    frames_ = frame + 1;
-    stats_of(frame) = {};
-    stats_of(frame).overload.emplace();
-    stats_of(frame).timing.emplace();
-    return true;
-  }
-
-  void frame_started(std::uint32_t k, Cycle cycle) {
-    if (job_) stats_of(k).timing->input = cycle;
-    for (std::uint32_t age = 1; age <= 2 && age <= k; ++age)
-      if (k - age < frames_) stats_of(k - age).timing->period[age - 1] = cycle - last_start_;
-    last_start_ = cycle;
-  }
-
-  frame_calculator::Work calculate(std::uint32_t frame) {
-    try {
-      frame_calculator::Work work =
-          loader_.load(*job_->database, job_->viewpoint, job_->position, frame);
-      stats_of(frame).detail = work.detail;
-      return work;
-    } catch (...) {
-      failure = std::current_exception();
-      return {};
-    }
-  }
-
-  // A stage has done its part of a frame. When all have, the picture is delivered.
-  template <class Figures, class Fill>
-  void note(Stage stage, const Figures& figures, Fill fill) {
-    FrameStats& stats = stats_of(figures.frame);
-    const auto s = static_cast<std::size_t>(stage);
-    stats.timing->activity[s] = figures.activity;
-    stats.overload->overflows[s] = figures.overflows;
-    fill(stats);
-    std::size_t& reports = reports_[figures.frame % reports_.size()];
-    if (++reports < kStageCount) return;
-    reports = 0;
-    deliver(stats);
-  }
-
-  void deliver(FrameStats& stats) {
-    stats.host_ms = time_.lap();
-    try {
-      if (out_ && !failure) out_(*picture_, stats);
-    } catch (...) {
-      failure = std::current_exception();
-    }
-    time_.lap();  // what was done with the picture is not the machine's time
-  }
 
   PipelineOptions options_;
   Clock clock_;
@@ -538,16 +465,7 @@ class SystemcMachine::Impl : public sc_core::sc_module {
   std::unique_ptr<Recorder> recorder_;
   std::vector<std::unique_ptr<LinkCheckBase>> checks_;
   sc_core::sc_event stop_;
-
-  Next next_;
-  Out out_;
-  const Picture* picture_ = nullptr;  // the last that was shown
-  std::optional<FrameJob> job_;
-  std::array<FrameStats, 4> stats_;
-  std::array<std::size_t, 4> reports_{};  // stages that have done their part
-  std::uint32_t frames_ = 0;              // begun
-  Cycle last_start_ = 0;
-  HostTime time_;
+  FrameLog frames_;
 };
 
 SystemcMachine::SystemcMachine(const std::string& name, const PipelineOptions& options) {
@@ -570,8 +488,8 @@ void SystemcMachine::simulate(const std::vector<SystemcMachine*>& machines) {
   for (SystemcMachine* machine : machines) machine->impl_->finish_recording();
   if (thrown) std::rethrow_exception(thrown);
   for (SystemcMachine* machine : machines)
-    if (machine->impl_->failure)
-      std::rethrow_exception(std::exchange(machine->impl_->failure, nullptr));
+    if (const std::exception_ptr failure = machine->impl_->take_failure())
+      std::rethrow_exception(failure);
 }
 
 void SystemcMachine::stop(Cycle cycles) { impl_->stop(cycles); }
