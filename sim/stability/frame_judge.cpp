@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "sim/stability/frame_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/frame_calculator/functional.hpp"
+#include "models/frame_calculator/memory_loader.hpp"
+#include "models/geometry_processor/face_walk.hpp"
+#include "models/priority_processor/functional.hpp"
+#include "models/priority_processor/functional_words.hpp"
+#include "sim/stability/edge_distance.hpp"
+
+namespace cigsim::stability {
+namespace {
+
+// Hears which faces of an item the geometry processor's walk shows.
+struct Listener {
+  ItemWord item;
+  bool taken = false;
+  std::vector<bool> shown = {};
+
+  void spend(geometry_processor::Step step, std::size_t = 1) {
+    using geometry_processor::Step;
+    if (step == Step::kBack || step == Step::kShown) shown.push_back(step == Step::kShown);
+  }
+  bool late() const { return false; }
+  ItemWord take() {
+    if (taken) return {SetId::kStatic, 0, true};
+    taken = true;
+    return item;
+  }
+  void edge(const EdgeWord&) {}
+  void face(const FaceWord&) {}
+};
+
+}  // namespace
+
+MachineOptions options_for(const Format& format, const Raster& raster, double eye_reach) {
+  MachineOptions options;
+  options.raster = raster;
+  options.eye_reach = eye_reach;
+  switch (format.arithmetic) {
+    case Arithmetic::kFloat:
+      options.number = NumberType::kFloat;
+      break;
+    case Arithmetic::kDouble:
+      options.number = NumberType::kDouble;
+      break;
+    case Arithmetic::kMachine:
+      options.number = NumberType::kMachine;
+      options.resolver = ResolverMethod::kActiveList;
+      options.description = with_raster(machine_preset("unlimited"), raster);
+      options.description.formats = format.machine.formats;
+      options.description.hither = format.machine.hither;
+      break;
+    case Arithmetic::kCertified:
+      options.number = NumberType::kCertified;
+      break;
+    case Arithmetic::kExact:
+      options.number = NumberType::kExact;
+      break;
+  }
+  return options;
+}
+
+ExactFrame::ExactFrame(const Database& database, const Viewpoint& viewpoint, const Raster& raster,
+                       double position)
+    : database_(database), viewpoint_(viewpoint), raster_(raster), position_(position) {
+  frame_calculator::Functional(database).compute(viewpoint, raster, position, active_, moving_);
+  const PreparedSystem& system = database.systems[0];
+  priority_processor::Functional<Exact> priority(PriorityMethod::kCounters);
+  priority.compute(system.hierarchy, system.set, active_, database.ground, list_);
+  MachineOptions options;
+  options.number = NumberType::kExact;
+  options.raster = raster;
+  picture_ = FunctionalMachine(database, options).compute(viewpoint, position);
+}
+
+std::array<const FaceSet*, 3> ExactFrame::sets() const {
+  return {&database_.systems[0].set, &moving_, &database_.ground};
+}
+
+double ExactFrame::eye_reach() const {
+  const Vec3& eye = viewpoint_.eye.position;
+  return std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)});
+}
+
+FrameFaults ExactFrame::judge(const Format& format) const {
+  FrameFaults faults;
+  switch (format.arithmetic) {
+    case Arithmetic::kFloat:
+      compare_decisions<float>(faults);
+      break;
+    case Arithmetic::kDouble:
+      compare_decisions<double>(faults);
+      break;
+    case Arithmetic::kCertified:  // sides are exact, as with doubles
+      compare_decisions<double>(faults);
+      break;
+    case Arithmetic::kMachine:
+      compare_words(format, faults);
+      break;
+    case Arithmetic::kExact:
+      compare_decisions<Exact>(faults);
+      break;
+  }
+  compare_pictures(format, faults);
+  return faults;
+}
+
+void ExactFrame::compare_pictures(const Format& format, FrameFaults& faults) const {
+  FunctionalMachine machine(database_, options_for(format, raster_, eye_reach()));
+  const Picture& got = machine.compute(viewpoint_, position_);
+  for (std::size_t i = 0; i < picture_.numbers.size(); ++i) {
+    if (got.numbers[i] == picture_.numbers[i]) continue;
+    ++faults.elements;
+    if (faults.away_from_edges) continue;
+    const int column = static_cast<int>(i) % raster_.width;
+    const int row = static_cast<int>(i) / raster_.width;
+    const double distance = distance_to_edges(active_.view, sets(), list_.items,
+                                              picture_.numbers[i], got.numbers[i], column, row);
+    faults.away_from_edges = !(distance <= kEdgeMargin);
+    faults.distance = faults.away_from_edges ? distance : std::max(faults.distance, distance);
+  }
+}
+
+template <class N>
+void ExactFrame::compare_decisions(FrameFaults& faults) const {
+  const PreparedSystem& system = database_.systems[0];
+  priority_processor::Functional<N> priority(PriorityMethod::kCounters);
+  PriorityList list;
+  priority.compute(system.hierarchy, system.set, active_, database_.ground, list);
+  faults.priorities = misplaced(list.items);
+  for (const ItemRef& ref : list_.items) {
+    const FaceSet& from = *sets()[static_cast<std::size_t>(ref.set)];
+    const Item& item = from.items[ref.item];
+    for (std::uint32_t f = item.first_face; f < item.first_face + item.face_count; ++f) {
+      const Plane& plane = from.planes[from.faces[f].plane];
+      const int got = geometry_processor::Functional<N>::facing(plane, active_.view.eye);
+      faults.facings += got != side(plane, active_.view.eye);
+    }
+  }
+}
+
+void ExactFrame::compare_words(const Format& format, FrameFaults& faults) const {
+  const MachineOptions options = options_for(format, raster_, eye_reach());
+  frame_calculator::MemoryLoader loader(options.description, options.eye_reach);
+  loader.load(database_, viewpoint_, position_, 0);
+  std::vector<ItemWord> words;
+  priority_processor::Figures priority;
+  priority_processor::FunctionalWords(0).compute(loader.priority_banks()[0], words, priority);
+  std::vector<ItemRef> items;
+  for (const ItemWord& word : words)
+    if (!word.end) items.push_back({word.set, word.item});
+  faults.priorities = misplaced(items);
+  for (const ItemRef& ref : list_.items) {
+    const FaceSet& from = *sets()[static_cast<std::size_t>(ref.set)];
+    const Item& item = from.items[ref.item];
+    Listener listener{{ref.set, ref.item, false}};
+    geometry_processor::Figures geometry;
+    geometry_processor::FaceWalk<Listener>(options.description, listener)
+        .run(loader.geometry_banks()[0], geometry);
+    // An item that lies wholly outside the pyramid is not asked about its faces.
+    for (std::uint32_t f = 0; f < listener.shown.size() && f < item.face_count; ++f) {
+      const PreparedFace& face = from.faces[item.first_face + f];
+      const int right = side(from.planes[face.plane], active_.view.eye);
+      faults.facings += listener.shown[f] != (right > 0 || (right < 0 && face.two_sided));
+    }
+  }
+}
+
+std::uint64_t ExactFrame::misplaced(const std::vector<ItemRef>& items) const {
+  std::uint64_t count = items.size() > list_.items.size() ? items.size() - list_.items.size()
+                                                          : list_.items.size() - items.size();
+  for (std::size_t i = 0; i < std::min(items.size(), list_.items.size()); ++i)
+    count += !(items[i] == list_.items[i]);
+  return count;
+}
+
+}  // namespace cigsim::stability

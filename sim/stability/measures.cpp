@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "sim/stability/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cigsim::stability {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double length(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
+double largest_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// A vector of about unit length in the same direction, also where squares would leave the doubles.
+Vec3 direction(const Vec3& v) {
+  const double size = largest_of(v);
+  if (!(size > 0)) return {};
+  const Vec3 scaled{v.x / size, v.y / size, v.z / size};
+  return scaled * (1 / length(scaled));
+}
+
+double height(const Plane& plane, const Vec3& eye) {
+  const Vec3 n = direction(plane.normal);
+  return n == Vec3{} ? kInfinity : std::abs(dot(n, eye - plane.exact.p));
+}
+
+double to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = direction(b - a);
+  const double t = std::clamp(dot(p - a, along), 0.0, length(b - a));
+  return length(p - (a + along * t));
+}
+
+double to_face(const FaceSet& set, const Item& item, const PreparedFace& face, const Vec3& eye) {
+  const Vec3 n = direction(set.planes[face.plane].normal);
+  const auto corner = [&](std::uint32_t c) {
+    return set.vertices[item.first_vertex + set.corners[face.first_corner + c]];
+  };
+  double nearest = kInfinity;
+  bool inside = true;
+  for (std::uint32_t c = 0; c < face.corner_count; ++c) {
+    const Vec3 a = corner(c), b = corner((c + 1) % face.corner_count);
+    inside = inside && dot(cross(n, direction(b - a)), eye - a) >= 0;
+    nearest = std::min(nearest, to_segment(eye, a, b));
+  }
+  return inside ? std::abs(dot(n, eye - corner(0))) : nearest;
+}
+
+double nearest_face(const std::array<const FaceSet*, 3>& sets, const std::vector<ItemRef>& items,
+                    const Vec3& eye) {
+  const auto item_of = [&](const ItemRef& ref) -> const Item& {
+    return sets[static_cast<std::size_t>(ref.set)]->items[ref.item];
+  };
+  double nearest = kInfinity;  // something of the item is within that
+  for (const ItemRef& ref : items) {
+    const Sphere& sphere = item_of(ref).sphere;
+    nearest = std::min(nearest, length(sphere.centre - eye) + sphere.radius);
+  }
+  for (const ItemRef& ref : items) {
+    const Item& item = item_of(ref);
+    if (length(item.sphere.centre - eye) - item.sphere.radius > nearest) continue;
+    const FaceSet& set = *sets[static_cast<std::size_t>(ref.set)];
+    for (std::uint32_t f = item.first_face; f < item.first_face + item.face_count; ++f)
+      nearest = std::min(nearest, to_face(set, item, set.faces[f], eye));
+  }
+  return nearest;
+}
+
+double nearest_separation(const Database& database, const ActiveEnvironment& active) {
+  const PriorityHierarchy& hierarchy = database.systems[0].hierarchy;
+  double least = kInfinity;
+  for (const ActiveGroup& in_view : active.groups) {
+    const Group& group = hierarchy.groups[in_view.group];
+    for (std::uint32_t n = group.first_node; n < group.first_node + group.node_count; ++n) {
+      const SeparationNode& node = hierarchy.nodes[n];
+      if ((node.true_members & in_view.active) && (node.false_members & in_view.active))
+        least = std::min(least, height(hierarchy.planes[node.plane], active.view.eye));
+    }
+  }
+  return least;
+}
+
+double nearest_face_plane(const std::array<const FaceSet*, 3>& sets,
+                          const std::vector<ItemRef>& items, const Vec3& eye) {
+  double least = kInfinity;
+  for (const ItemRef& ref : items) {
+    const FaceSet& set = *sets[static_cast<std::size_t>(ref.set)];
+    const Item& item = set.items[ref.item];
+    for (std::uint32_t f = item.first_face; f < item.first_face + item.face_count; ++f)
+      least = std::min(least, height(set.planes[set.faces[f].plane], eye));
+  }
+  return least;
+}
+
+}  // namespace
+
+Measures& Measures::operator|=(const Measures& other) {
+  smallest = std::min(smallest, other.smallest);
+  largest = std::max(largest, other.largest);
+  demand = std::max(demand, other.demand);
+  lines = std::max(lines, other.lines);
+  grazing = std::max(grazing, other.grazing);
+  nearness = std::min(nearness, other.nearness);
+  clearance = std::min(clearance, other.clearance);
+  return *this;
+}
+
+Measures measure(const Database& database, const ActiveEnvironment& active, const FaceSet& moving,
+                 const std::vector<ItemRef>& items) {
+  const std::array<const FaceSet*, 3> sets{&database.systems[0].set, &moving, &database.ground};
+  const ViewTransform& view = active.view;
+  Measures m;
+  m.smallest = kInfinity;
+  m.largest = largest_of(view.eye);
+  m.lines = std::max(view.raster.width, view.raster.height);
+  for (const ItemRef& ref : items) {
+    const Sphere& sphere = sets[static_cast<std::size_t>(ref.set)]->items[ref.item].sphere;
+    m.smallest = std::min(m.smallest, sphere.radius);
+    m.largest = std::max(m.largest, largest_of(sphere.centre) + sphere.radius);
+  }
+  const double nearest = nearest_face(sets, items, view.eye);
+  m.demand = m.largest / nearest * view.focal;
+  m.nearness = nearest / m.largest;
+  const double plane = nearest_face_plane(sets, items, view.eye);
+  m.grazing = m.largest / plane * view.focal;
+  m.clearance = std::min(plane, nearest_separation(database, active)) / m.largest;
+  return m;
+}
+
+}  // namespace cigsim::stability

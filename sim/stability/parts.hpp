@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What `cigsim stability` measures beside single decisions: the envelope of each format, paths of
+// the smallest steps, edges stepped over a whole raster, and the thresholds of Stump's program.
+// Each as JSON, as a table, and as plots.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/stability/decision.hpp"
+
+namespace cigsim::stability {
+
+struct PartOptions {
+  std::uint64_t seed = 1;
+  /// Published thresholds have formats of their own.
+  std::vector<Format> formats;
+  /// Of the envelope: search it, in a minute or two; else the one that the program carries is told,
+  /// of whatever formats.
+  bool search = false;
+  std::function<void(double)> progress;  ///< is told the share that is done
+};
+
+struct PartResult {
+  std::string name;             ///< of the key in JSON and of the plots' file
+  nlohmann::ordered_json json;  ///< docs/schemas/stability.schema.json has the keys
+  std::string text;             ///< a table, its last line ended
+  /// Draws NAME.svg into a folder and returns the file. Throws as write_plots() and
+  /// write_heat_maps() do.
+  std::function<std::filesystem::path(const std::filesystem::path&)> draw;
+};
+
+PartResult envelope_part(const PartOptions& options);
+PartResult flicker_part(const PartOptions& options);
+PartResult accumulation_part(const PartOptions& options);
+PartResult published_part(const PartOptions& options);
+
+}  // namespace cigsim::stability
