@@ -19,22 +19,23 @@ namespace {
 
 constexpr std::uint32_t kFewest = 10, kInView = 10;
 
-// 10, 30, 100, … up to `most`, which is the last.
+// Ten times as many each time, up to `most`, which is the last; a few more where that is little.
 std::vector<std::uint32_t> sizes(std::uint32_t most) {
+  constexpr std::uint32_t kLittle = 1000;
   std::vector<std::uint32_t> out;
-  for (std::uint64_t decade = kFewest; decade < most; decade *= 10)
-    for (const std::uint64_t size : {decade, decade * 3})
-      if (size < most) out.push_back(static_cast<std::uint32_t>(size));
+  for (std::uint64_t decade = kFewest; decade < most; decade *= 10) {
+    out.push_back(static_cast<std::uint32_t>(decade));
+    if (most < kLittle && decade * 3 < most) out.push_back(static_cast<std::uint32_t>(decade * 3));
+  }
   out.push_back(most);
   return out;
 }
 
 GrowthSubject subject(double x, const Environment& environment, const Viewpoint& viewpoint) {
-  const HostTime time;
-  HostTime lap = time;
+  HostTime time;
   auto database = std::make_shared<const Database>(prepare(environment));
   GrowthSubject made{x, std::move(database), viewpoint, {}};
-  made.preparation_s = lap.lap() * 1e-3;
+  made.preparation_s = time.lap() * 1e-3;
   // What a frame costs that nothing was kept for.
   made.machine.coherence = false;
   return made;
