@@ -33,6 +33,8 @@ void note(Cell& cell, const Outcome& outcome, std::uint64_t seed, const Instance
   if (!outcome.bound || !outcome.error) return;
   ++cell.claims;
   cell.largest_bound = std::max(cell.largest_bound, *outcome.bound);
+  if (*outcome.bound > 0)
+    cell.worst_ratio = std::max(cell.worst_ratio, *outcome.error / *outcome.bound);
   // A wrong answer whose border is at distance 0 breaks a claim of 0 too.
   const bool never_wrong = *outcome.bound == 0 && outcome.verdict == Verdict::kWrong;
   if (*outcome.error <= *outcome.bound && !never_wrong) return;
@@ -138,6 +140,7 @@ Summary summary(const Sweep& sweep, std::size_t decision, std::size_t format,
     out.broken += cell.broken;
     out.worst_error = std::max(out.worst_error, cell.worst_error);
     out.largest_bound = std::max(out.largest_bound, cell.largest_bound);
+    out.worst_ratio = std::max(out.worst_ratio, cell.worst_ratio);
     if (cell.wrong == 0) continue;
     if (out.worst == nullptr || cell.wrong * out.worst->posed > out.worst->wrong * cell.posed)
       out.worst = &cell;

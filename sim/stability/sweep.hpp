@@ -27,9 +27,10 @@ struct Cell {
   std::uint64_t posed = 0;  ///< that the format took: right + wrong + doubtful
   std::uint64_t wrong = 0, doubtful = 0;
   double worst_error = 0;  ///< in the decision's unit
-  /// Instances with a claim, those whose error was beyond it, and the largest claim.
+  /// Instances with a claim, those whose error was beyond it, the largest claim, and how much of a
+  /// claim above 0 an error came to at most.
   std::uint64_t claims = 0, broken = 0;
-  double largest_bound = 0;
+  double largest_bound = 0, worst_ratio = 0;
   std::optional<Failure> first;         ///< wrong: the first of this cell
   std::optional<Failure> first_broken;  ///< claim: the first of this cell
 };
@@ -61,7 +62,7 @@ std::uint64_t instance_seed(std::uint64_t seed, const Decision& decision, Axis a
 /// What a decision came to in a format over all axes, or over one.
 struct Summary {
   std::uint64_t posed = 0, wrong = 0, doubtful = 0, claims = 0, broken = 0;
-  double worst_error = 0, largest_bound = 0;
+  double worst_error = 0, largest_bound = 0, worst_ratio = 0;
   const Cell* worst = nullptr;  ///< of the largest share of wrong answers; null: none wrong
   double worst_share() const {
     return worst ? static_cast<double>(worst->wrong) / static_cast<double>(worst->posed) : 0;

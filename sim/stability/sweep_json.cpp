@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/stability/stability_report.hpp"
 
 namespace cigsim::stability {
@@ -76,8 +78,8 @@ Json failure_json(double value, const Failure& failure) {
 Json along_axis(const Sweep& sweep, std::size_t decision, std::size_t format, Axis axis,
                 const std::string& name) {
   Json out{{"format", name}};
-  for (const char* key :
-       {"posed", "wrong", "doubtful", "worst_error", "claims", "broken", "largest_bound"})
+  for (const char* key : {"posed", "wrong", "doubtful", "worst_error", "claims", "broken",
+                          "largest_bound", "worst_ratio"})
     out[key] = Json::array();
   const Cell* broken = nullptr;
   for (const Cell& cell : sweep.cells) {
@@ -89,6 +91,7 @@ Json along_axis(const Sweep& sweep, std::size_t decision, std::size_t format, Ax
     out["claims"].push_back(cell.claims);
     out["broken"].push_back(cell.broken);
     out["largest_bound"].push_back(cell.largest_bound);
+    out["worst_ratio"].push_back(cell.worst_ratio);
     if (cell.first_broken && broken == nullptr) broken = &cell;
   }
   const Cell* first = first_failure(sweep, decision, format, axis);
@@ -98,9 +101,16 @@ Json along_axis(const Sweep& sweep, std::size_t decision, std::size_t format, Ax
 }
 
 Json summary_json(const Summary& s, const std::string& name) {
-  Json out{{"format", name},         {"posed", s.posed},   {"wrong", s.wrong},
-           {"doubtful", s.doubtful}, {"worst", nullptr},   {"worst_error", s.worst_error},
-           {"claims", s.claims},     {"broken", s.broken}, {"largest_bound", s.largest_bound}};
+  Json out{{"format", name},
+           {"posed", s.posed},
+           {"wrong", s.wrong},
+           {"doubtful", s.doubtful},
+           {"worst", nullptr},
+           {"worst_error", s.worst_error},
+           {"claims", s.claims},
+           {"broken", s.broken},
+           {"largest_bound", s.largest_bound},
+           {"worst_ratio", s.worst_ratio}};
   if (s.worst)
     out["worst"] = {{"axis", stability::name_of(s.worst->axis)},
                     {"value", s.worst->value},

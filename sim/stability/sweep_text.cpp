@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <string>
 
 #include "sim/stability/stability_report.hpp"
 
 namespace cigsim::stability {
 namespace {
 
-constexpr int kColumn = 18;
+constexpr int kColumn = 19;
+
+// "6.4e6" instead of "6.4e+06".
+std::string short_number(double value) {
+  std::string text = fmt::format("{:.3g}", value);
+  if (const std::size_t e = text.find('e'); e != std::string::npos) {
+    const int exponent = std::stoi(text.substr(e + 1));
+    text = fmt::format("{}e{}", text.substr(0, e), exponent);
+  }
+  return text;
+}
 
 // "47% near 10": the worst value; a point where nothing was wrong, nothing where nothing was posed.
 std::string words(const Summary& s) {
@@ -17,8 +27,8 @@ std::string words(const Summary& s) {
   if (s.worst == nullptr) return fmt::format(".{}", broken);
   if (s.worst->axis == Axis::kMixed)
     return fmt::format("{:.0f}% mixed{}", 100 * s.worst_share(), broken);
-  return fmt::format("{:.0f}% {} {:.3g}{}", 100 * s.worst_share(), name_of(s.worst->axis),
-                     s.worst->value, broken);
+  return fmt::format("{:.0f}% {} {}{}", 100 * s.worst_share(), name_of(s.worst->axis),
+                     short_number(s.worst->value), broken);
 }
 
 std::string claim_line(const SweepPlan& plan, const Sweep& sweep, std::size_t d, std::size_t f) {
@@ -43,7 +53,8 @@ std::string sweep_text(const SweepPlan& plan, const Sweep& sweep) {
   std::string out = fmt::format(
       "Wrong answers at the worst value of an axis; . none; {} instances a value, seed {}\n{:<16}",
       plan.trials, plan.seed, "decision");
-  for (const Format& format : plan.formats) out += fmt::format("{:<{}}", format.name, kColumn);
+  for (const Format& format : plan.formats) out += fmt::format("{:<{}} ", format.name, kColumn - 1);
+  while (out.back() == ' ') out.pop_back();
   std::string claims;
   std::uint64_t claimed = 0;
   for (std::size_t d = 0; d < plan.decisions.size(); ++d) {
@@ -54,7 +65,7 @@ std::string sweep_text(const SweepPlan& plan, const Sweep& sweep) {
       claimed += s.claims;
       claims += claim_line(plan, sweep, d, f);
       out += shared ? fmt::format("{} in any format, {} of {} wrong", words(s), s.wrong, s.posed)
-                    : fmt::format("{:<{}}", words(s), kColumn);
+                    : fmt::format("{:<{}} ", words(s), kColumn - 1);
     }
     while (out.back() == ' ') out.pop_back();
   }

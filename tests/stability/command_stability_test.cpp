@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tests/sim/process.hpp"
+
+namespace cigsim {
+namespace {
+
+using Json = nlohmann::json;
+
+class StabilityCommand : public CommandTest {
+ protected:
+  Json json(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "stability");
+    arguments.push_back("--json");
+    const Outcome outcome = cigsim(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return Json::parse(outcome.out);
+  }
+};
+
+TEST_F(StabilityCommand, TellsWhereFormatsAreWrong) {
+  const Outcome outcome =
+      cigsim({"stability", "--decision", "side", "--decision", "hull", "--trials", "10"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* words : {"decision        float", "certified", "nasa1968", "% near ",
+                            "in any format, 0 of", "Claims: all", "held"})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(StabilityCommand, WritesHeatMapsAndFigures) {
+  const Outcome outcome =
+      cigsim({"stability", "--decision", "side", "--format", "float", "--format", "double",
+              "--axis", "near", "--trials", "5", "--out", "found"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(files(), (std::vector<std::string>{"found", "found/stability-near.svg",
+                                               "found/stability.json", "found/stability.svg"}));
+  EXPECT_NE(contents("found/stability-near.svg").find("<svg"), std::string::npos);
+}
+
+// Planted: a float that flips a side, words that are too narrow; doubles do neither.
+TEST_F(StabilityCommand, FirstFailuresCanBeRepeated) {
+  const Json found = json({"--decision", "side", "--format", "float", "--format", "double",
+                           "--format", "machine:16,12,8,4", "--trials", "10", "--seed", "7"});
+  EXPECT_EQ(found["seed"], 7);
+  EXPECT_TRUE(found["scene"].is_null());
+  const Json& side = found["decisions"][0];
+  EXPECT_GT(side["formats"][0]["wrong"], 0);
+  EXPECT_EQ(side["formats"][1]["wrong"], 0);
+  EXPECT_EQ(side["formats"][1]["broken"], 0);
+  EXPECT_GT(side["formats"][2]["wrong"], 0);
+  for (const Json& axis : side["axes"]) {
+    EXPECT_EQ(axis["values"].size(), axis["formats"][0]["wrong"].size());
+    if (axis["axis"] != "near") continue;
+    const Json& first = axis["formats"][0]["first_failure"];
+    EXPECT_EQ(first["instance"]["planes"].size(), 1u);
+    EXPECT_EQ(first["instance"]["view"]["eye"].size(), 3u);
+    EXPECT_TRUE(axis["formats"][1]["first_failure"].is_null());
+  }
+}
+
+TEST_F(StabilityCommand, FiguresAreTheSameForASeedAndFitTheirSchema) {
+  const std::vector<std::string> arguments{"stability", "--trials", "1", "--json"};
+  const Outcome one = cigsim(arguments), two = cigsim(arguments);
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(one.out, two.out);
+  if (std::system("python3 -c 'import jsonschema' 2> /dev/null") != 0)
+    GTEST_SKIP() << "python3-jsonschema is not there";
+  const std::filesystem::path file = put("figures.json", one.out);
+  const std::string check =
+      "python3 -c \"import json, jsonschema; jsonschema.validate(json.load(open('" + file.string() +
+      "')), json.load(open('" CIGSIM_SOURCE_DIR "/docs/schemas/stability.schema.json')))\"";
+  EXPECT_EQ(std::system(check.c_str()), 0);
+}
+
+TEST_F(StabilityCommand, AsksASceneAboutItsOwnThings) {
+  const Json found =
+      json({CIGSIM_SOURCE_DIR "/scenes/airfield.json", "--decision", "side", "--decision", "edge",
+            "--format", "certified", "--format", "float", "--trials", "3"});
+  EXPECT_NE(found["scene"].get<std::string>().find("airfield.json"), std::string::npos);
+  for (const Json& decision : found["decisions"]) {
+    EXPECT_EQ(decision["formats"][0]["wrong"], 0);
+    EXPECT_GT(decision["formats"][0]["posed"], 0);
+  }
+}
+
+TEST_F(StabilityCommand, RefusesWhatItCannotUse) {
+  expect_unusable({"stability", "--decision", "colour"}, "choose from convexity");
+  expect_unusable({"stability", "--axis", "length"}, "choose from scale");
+  expect_unusable({"stability", "--format", "flaot"}, "--format");
+  expect_unusable({"stability", "--format", "machine:24,22,15,12"}, "even");
+  expect_unusable({"stability", "--format", "machine:99,22,16,12"}, "--format");
+  expect_unusable({"stability", "--trials", "0"}, "--trials");
+  expect_unusable({"stability", "--seed", "-1"}, "--seed");
+  expect_unusable({"stability", "missing.json"}, "missing.json");
+  put("file", "");
+  expect_unusable({"stability", "--trials", "1", "--out", "file"}, "--out");
+  put("empty.json", R"({"cigsim": 1, "objects": []})");
+  expect_unusable({"stability", "empty.json"}, "empty.json");
+}
+
+}  // namespace
+}  // namespace cigsim
