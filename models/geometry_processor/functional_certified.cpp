@@ -85,6 +85,7 @@ void Functional<Certified>::start(const ViewTransform& view) {
   unit_ = caution_ * largest * 0x1p-50;
   least_ = caution_ * 0x1p-1000;
   spread_ = 1.5 * (view.focal + std::max(half_width_, half_height_));
+  projected_ = spread_ / view.focal;
   rounding_ = caution_ * 0x1p-46 * (view.raster.width + view.raster.height);
 }
 
@@ -167,7 +168,7 @@ double Functional<Certified>::distance(int side, const Point& p) const {
 Functional<Certified>::Place Functional<Certified>::project(const Point& p) const {
   const double scale = view_->focal / p.u;
   return {half_width_ + p.v * scale, half_height_ - p.w * scale,
-          spread_ * p.error / p.u + rounding_, 0};
+          projected_ * p.error * scale + rounding_, 0};
 }
 
 // The first sample at or below y is at the nearest whole number and a half. False: in doubt.

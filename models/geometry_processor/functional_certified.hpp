@@ -81,11 +81,12 @@ class Functional<Certified> {
   const ViewTransform* view_ = nullptr;
   SetId set_id_ = SetId::kStatic;
   double half_width_ = 0, half_height_ = 0;
-  double unit_ = 0;      // error of a coordinate for each unit of the vertex's distance
-  double cut_unit_ = 0;  // and of its position, in a set where cuts have been rounded
-  double least_ = 0;     // what underflow may add to it
-  double spread_ = 0;    // error of a distance from a side for each unit of a coordinate's
-  double rounding_ = 0;  // of what is computed on the raster, in elements
+  double unit_ = 0;       // error of a coordinate for each unit of the vertex's distance
+  double cut_unit_ = 0;   // and of its position, in a set where cuts have been rounded
+  double least_ = 0;      // what underflow may add to it
+  double spread_ = 0;     // error of a distance from a side for each unit of a coordinate's
+  double projected_ = 0;  // and of a place on the raster, where the scale is 1
+  double rounding_ = 0;   // of what is computed on the raster, in elements
 
   std::vector<Point> points_;  // by vertex of the item
   std::vector<Place> places_;  // where codes_ is 0
