@@ -14,8 +14,6 @@
 namespace cigsim {
 namespace {
 
-constexpr const char* kBuiltIn = "built-in airfield";
-
 void append(Environment& whole, Environment&& part) {
   // System 0 is the environment's own in every part; the others follow one another.
   const auto systems = static_cast<std::uint32_t>(whole.systems.size() - 1);
@@ -118,7 +116,7 @@ LoadedScene load_scene(const std::optional<std::filesystem::path>& file,
                        const PreparationChoices& choices) {
   if (!file) {
     const std::string_view airfield = embedded_text(embedded_scenes(), "airfield.json");
-    return prepared(kBuiltIn, parse_json(airfield, kBuiltIn), choices);
+    return prepared(kBuiltInScene, parse_json(airfield, kBuiltInScene), choices);
   }
   if (!is_database(*file)) return prepared(file->string(), read_environment(*file), choices);
   if (choices.sun)

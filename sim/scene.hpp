@@ -13,6 +13,9 @@
 
 namespace cigsim {
 
+/// The name of the scene where none is given.
+inline constexpr const char* kBuiltInScene = "built-in airfield";
+
 /// What preparation does not keep of an environment.
 struct SceneFacts {
   std::size_t models = 0;

@@ -29,6 +29,7 @@ void add_separate(CLI::App& program, int& exit_code);
 void add_listable(CLI::App& program, int& exit_code);
 void add_cards(CLI::App& program, int& exit_code);
 void add_experiment(CLI::App& program, int& exit_code);
+void add_report(CLI::App& program, int& exit_code);
 void add_stability(CLI::App& program, int& exit_code);
 void add_wave_picture(CLI::App& program, int& exit_code);
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "tests/sim/process.hpp"
+
+namespace cigsim {
+namespace {
+
+using Json = nlohmann::json;
+
+// What the page carries.
+Json data_of(const std::string& page) {
+  const std::string open = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t from = page.find(open) + open.size();
+  return Json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+class ReportTest : public CommandTest {
+ protected:
+  void run(std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"run", "--raster", "48x36"});
+    const Outcome outcome = cigsim(more);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  void change_stats(const std::string& pointer, const Json& value) {
+    Json stats = Json::parse(contents("out/stats.json"));
+    stats[Json::json_pointer(pointer)] = value;
+    put("out/stats.json", stats.dump());
+  }
+};
+
+TEST_F(ReportTest, OfARunSaysWhatItWrote) {
+  run({"--path", "builtin", "--frames", "5"});
+  const Outcome outcome = cigsim({"report", "out", "--frames", "3"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("3 of 5 frames"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("out/report.html"), std::string::npos);
+  const Json data = data_of(contents("out/report.html"));
+  EXPECT_EQ(data["run"]["shown"].size(), 3u);
+  EXPECT_EQ(data["run"]["table"].size(), 5u);
+  EXPECT_TRUE(data["run"]["notes"].empty());
+  for (const Json& frame : data["run"]["shown"]) {
+    EXPECT_EQ(frame["difference"]["elements"], 48 * 36);
+    EXPECT_EQ(frame["crossings"].size(), 36u);
+    EXPECT_GT(frame["faces"].size(), 0u);
+  }
+}
+
+TEST_F(ReportTest, IsTheSameEachTime) {
+  run();
+  const Outcome outcome = cigsim({"report", "out", "-o", "a.html", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json told = Json::parse(outcome.out);
+  EXPECT_EQ(told["page"], "a.html");
+  EXPECT_EQ(told["bytes"], contents("a.html").size());
+  EXPECT_EQ(told["frames"], 1);
+  ASSERT_EQ(cigsim({"report", "out", "-o", "b.html"}).exit_code, 0);
+  EXPECT_EQ(contents("a.html"), contents("b.html"));
+}
+
+TEST_F(ReportTest, OfEachKindOfRunAgreesWithItsPicture) {
+  const std::vector<std::vector<std::string>> kinds = {
+      {"--number", "float"},
+      {"--number", "exact", "--priority", "so", "--resolver", "active-list"},
+      {"--detail", "most", "--sun", "100,20", "--contact-tolerance", "0"},
+      {"--machine", "nasa1968", "--overload", "cut"},
+      {"--machine", "nasa1968", "--level", "timed", "--path", "builtin", "--frames", "3"}};
+  for (const auto& kind : kinds) {
+    run(kind);
+    ASSERT_EQ(cigsim({"report", "out", "--no-difference"}).exit_code, 0);
+    const Json run_data = data_of(contents("out/report.html"))["run"];
+    EXPECT_TRUE(run_data["notes"].empty()) << kind[1] << run_data["notes"];
+    EXPECT_TRUE(run_data["shown"][0]["difference"].is_null());
+    EXPECT_EQ(run_data["machine"].is_null(), kind[0] != "--machine");
+  }
+}
+
+TEST_F(ReportTest, TellsThatTheSceneIsAnotherOne) {
+  ASSERT_EQ(
+      cigsim({"generate", "cubes", "--objects", "9", "--seed", "1", "-o", "s.json"}).exit_code, 0);
+  run({"s.json"});
+  ASSERT_EQ(cigsim({"report", "out"}).exit_code, 0);
+  EXPECT_TRUE(data_of(contents("out/report.html"))["run"]["notes"].empty());
+  ASSERT_EQ(
+      cigsim({"generate", "cubes", "--objects", "9", "--seed", "2", "-o", "s.json"}).exit_code, 0);
+  const Outcome outcome = cigsim({"report", "out"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("not the one of this run"), std::string::npos) << outcome.out;
+  std::filesystem::remove(folder_ / "s.json");
+  EXPECT_NE(cigsim({"report", "out"}).out.find("cannot be had any more"), std::string::npos);
+}
+
+TEST_F(ReportTest, OfExperimentsTakesTheirFiguresAndDrawings) {
+  std::filesystem::create_directory(folder_ / "e");
+  put("e/a.json", R"({"experiment": "a", "seed": 1})");
+  put("e/other.json", "[1, 2]");
+  put("e/b.svg", "<svg/>");
+  const Outcome outcome = cigsim({"report", "e"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("other.json tells of no experiment"), std::string::npos);
+  const Json data = data_of(contents("e/report.html"));
+  EXPECT_TRUE(data["run"].is_null());
+  EXPECT_EQ(data["experiments"]["experiments"][0]["figures"]["seed"], 1);
+  EXPECT_EQ(data["experiments"]["drawings"][0]["uri"], "data:image/svg+xml;base64,PHN2Zy8+");
+}
+
+TEST_F(ReportTest, RefusesWhatItCannotUse) {
+  expect_unusable({"report"}, "DIR");
+  expect_unusable({"report", "nowhere"}, "is no folder");
+  std::filesystem::create_directory(folder_ / "empty");
+  expect_unusable({"report", "empty"}, "neither a run nor an experiment");
+  put("empty/x.json", "{");
+  expect_unusable({"report", "empty"}, "x.json: is broken JSON");
+  run();
+  expect_unusable({"report", "out", "--frames", "0"}, "--frames");
+  expect_unusable({"report", "out", "-o", "page.pdf"}, "-o");
+  expect_unusable({"report", "out", "-o", "no/folder/page.html"}, "page.html");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/report.html"));
+}
+
+TEST_F(ReportTest, RefusesFiguresThatAreNoRuns) {
+  run();
+  const std::string good = contents("out/stats.json");
+  for (const auto& [pointer, value] :
+       std::vector<std::pair<std::string, Json>>{{"/frames/0/picture", "../secret.png"},
+                                                 {"/frames/0/ids", "/etc/passwd"},
+                                                 {"/frames/0/view", nullptr},
+                                                 {"/frames", 7},
+                                                 {"/options/raster", {0, 36}},
+                                                 {"/options/raster", {1e9, 36}},
+                                                 {"/options/number", "octal"},
+                                                 {"/scene", 1}}) {
+    change_stats(pointer, value);
+    expect_unusable({"report", "out"}, "is not what cigsim run of this version writes");
+    put("out/stats.json", good);
+  }
+  put("out/stats.json", good.substr(0, good.size() / 2));
+  expect_unusable({"report", "out"}, "stats.json");
+  put("out/stats.json", good);
+  put("out/frame-0000.png", "no picture");
+  expect_unusable({"report", "out"}, "is no PNG");
+  std::filesystem::remove(folder_ / "out/frame-0000.png");
+  expect_unusable({"report", "out"}, "frame-0000.png");
+}
+
+}  // namespace
+}  // namespace cigsim
