@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A frame of a city by cigsim, by Mesa llvmpipe and by Embree, in one run; see docs/performance.md.
+// A frame of a city by cigsim, by Mesa llvmpipe and by Embree, and frames of the city and of the
+// approach in certified numbers beside doubles, in one run; see docs/performance.md.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,10 +12,13 @@
 #include "benchmarks/embree_renderer.hpp"
 #include "benchmarks/mesa_packed.hpp"
 #include "benchmarks/mesa_targets.hpp"
+#include "benchmarks/number_contest.hpp"
 #include "benchmarks/stage_times.hpp"
 #include "benchmarks/summary_reporter.hpp"
 #include "models/frame_calculator/functional.hpp"
 #include "sim/functional_machine.hpp"
+#include "sim/scene.hpp"
+#include "sim/view.hpp"
 
 namespace cigsim::benchmarks {
 namespace {
@@ -25,13 +29,19 @@ constexpr const char* kTargets = "llvmpipe, 2 targets";
 constexpr const char* kEmbree = "Embree";
 constexpr double kMostDiffering = 0.005;
 
+MachineOptions machine_options() {
+  MachineOptions options;
+  options.raster = kRaster;
+  return options;
+}
+
 /// One scene and all who draw it.
 struct Contest {
   Contest(std::string scene_name, bool with_ground)
       : name(std::move(scene_name)),
         scene(make_city(with_ground)),
         mesh(make_mesh(scene.database)),
-        machine(scene.database, MachineOptions{.raster = kRaster}),
+        machine(scene.database, machine_options()),
         packed(mesh, kRaster),
         targets(mesh, kRaster) {
     for (const Viewpoint& viewpoint : scene.path)
@@ -153,6 +163,19 @@ void print_ratio(const SummaryReporter& summary, const Contest& contest, const c
                contest.name, other, others->median / own->median, others->least / own->least, goal);
 }
 
+std::vector<FrameView> frames_of(const CityScene& scene) {
+  std::vector<FrameView> views;
+  for (const Viewpoint& viewpoint : scene.path) views.push_back({viewpoint, 0});
+  return views;
+}
+
+std::vector<FrameView> approach(const Database& airfield) {
+  ViewOptions options;
+  options.path = "builtin";
+  options.frames = 30;  // so that each run meets all of them
+  return frame_views(options, load_path(options), airfield);
+}
+
 int run(int argc, char** argv) {
   // Defaults before the user's options, so that these win.
   std::vector<std::string> arguments{argv[0], "--benchmark_repetitions=41",
@@ -171,10 +194,17 @@ int run(int argc, char** argv) {
                                         : "Embree is skipped: this processor has no AVX2");
   bool good = true;
   for (Contest& contest : contests) good = agree(contest) && good;
+  const LoadedScene airfield = load_scene({}, {});
+  NumberContest numbers[] = {
+      {contests[0].name, contests[0].scene.database, frames_of(contests[0].scene), kRaster},
+      {contests[1].name, contests[1].scene.database, frames_of(contests[1].scene), kRaster},
+      {"approach", airfield.database, approach(airfield.database), kRaster}};
+  for (NumberContest& contest : numbers) good = contest.agree() && good;
   if (!good) return 1;
 
   benchmark::RegisterBenchmark("fill", time_fill)->UseRealTime();
   for (Contest& contest : contests) register_contest(contest);
+  for (NumberContest& contest : numbers) contest.register_all();
   SummaryReporter summary;
   benchmark::RunSpecifiedBenchmarks(&summary);
   for (Contest& contest : contests) print_stages(contest);
@@ -184,6 +214,7 @@ int run(int argc, char** argv) {
     print_ratio(summary, contest, kTargets, 10);
     print_ratio(summary, contest, kEmbree, 25);
   }
+  for (const NumberContest& contest : numbers) contest.print_ratio(summary);
   return 0;
 }
 
