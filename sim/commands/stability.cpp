@@ -11,10 +11,11 @@
 #include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
-#include "sim/drawing/gnuplot.hpp"
+#include "sim/commands/experiment.hpp"
 #include "sim/measure/host.hpp"
 #include "sim/progress.hpp"
 #include "sim/scene.hpp"
+#include "sim/stability/parts.hpp"
 #include "sim/stability/stability_report.hpp"
 #include "sim/stats.hpp"
 
@@ -30,21 +31,33 @@ constexpr std::uint64_t kMostTrials = 1'000'000;
 
 struct Options {
   std::optional<std::string> scene, out;
-  std::vector<std::string> decisions, formats, axes;
+  std::vector<std::string> decisions, formats, axes, parts;
   std::uint64_t seed = 1, trials = 20;
   bool json = false;
 };
 
-void make_folder(const std::string& folder) {
-  if (!can_plot())
-    throw UsageError(
-        "--out: heat maps cannot be drawn without gnuplot; install Debian's package gnuplot-nox, "
-        "or leave out --out");
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-    throw UsageError(fmt::format("--out: {} cannot be made a folder; name another", folder));
+struct Part {
+  std::string_view name;
+  stability::PartResult (*measure)(const stability::PartOptions&);  ///< null: the decisions
+};
+
+constexpr std::string_view kDecisions = "decisions";
+
+// In the order in which they are told.
+const std::vector<Part>& all_parts() {
+  static const std::vector<Part> parts{{kDecisions, nullptr},
+                                       {"flicker", stability::flicker_part},
+                                       {"accumulation", stability::accumulation_part},
+                                       {"published", stability::published_part}};
+  return parts;
 }
+
+// What the program found, one part after the other.
+struct Found {
+  Json json;
+  std::string text;
+  std::vector<std::filesystem::path> files;
+};
 
 // Those of `all` that were named, in the order of `all`; all when none was.
 template <class T, class NameOf>
@@ -95,37 +108,78 @@ stability::Material material_of(const Options& options, std::string& name) {
   return material;
 }
 
+// All of them, or with a scene, a decision or an axis the decisions alone, which only these choose.
+std::vector<Part> parts_of(const Options& options) {
+  const bool chosen_decisions =
+      options.scene || !options.decisions.empty() || !options.axes.empty();
+  const std::vector<std::string> wanted = options.parts.empty() && chosen_decisions
+                                              ? std::vector<std::string>{std::string(kDecisions)}
+                                              : options.parts;
+  return chosen("--part", all_parts(), wanted, [](const Part& part) { return part.name; });
+}
+
+void find_decisions(const stability::SweepPlan& plan, const stability::Material& material,
+                    const Options& options, Found& found) {
+  const stability::Sweep sweep = stability::sweep(plan, material);
+  found.json.update(stability::sweep_json(plan, sweep));
+  found.text += stability::sweep_text(plan, sweep);
+  if (options.out) found.files = stability::write_sweep_maps(plan, sweep, *options.out);
+}
+
+void find_part(const Part& part, const stability::PartOptions& part_options, const Options& options,
+               Found& found) {
+  stability::PartResult result = part.measure(part_options);
+  found.json[result.name] = std::move(result.json);
+  if (!found.text.empty()) found.text += "\n";
+  found.text += result.text;
+  if (options.out) found.files.push_back(result.draw(*options.out));
+}
+
 int run(const Options& options) {
   stability::SweepPlan plan = plan_of(options);
+  const std::vector<Part> parts = parts_of(options);
   std::string scene;
   const stability::Material material = material_of(options, scene);
-  if (options.out) make_folder(*options.out);
-  Progress progress("decisions");
-  plan.progress = [&](double share) { progress.show(share); };
-  const stability::Sweep sweep = stability::sweep(plan, material);
-
-  Json json{{"experiment", "stability"},
-            {"seed", options.seed},
-            {"versions", versions_json()},
-            {"host", host_json()},
-            {"scene", options.scene ? Json(scene) : Json()}};
-  json.update(stability::sweep_json(plan, sweep));
-  std::vector<std::filesystem::path> files;
+  if (options.out) make_out_folder(*options.out);
+  Found found;
+  found.json = {{"experiment", "stability"},
+                {"seed", options.seed},
+                {"versions", versions_json()},
+                {"host", host_json()},
+                {"scene", options.scene ? Json(scene) : Json()}};
+  for (const Part& part : parts) {
+    Progress progress{std::string(part.name)};
+    const auto show = [&](double share) { progress.show(share); };
+    if (part.measure == nullptr) {
+      plan.progress = show;
+      find_decisions(plan, material, options, found);
+    } else {
+      find_part(part, {options.seed, plan.formats, false, show}, options, found);
+    }
+  }
   if (options.out) {
-    files = stability::write_sweep_maps(plan, sweep, *options.out);
-    files.push_back(std::filesystem::path(*options.out) / "stability.json");
-    write_file(files.back(), dump(json) + "\n");
+    found.files.push_back(std::filesystem::path(*options.out) / "stability.json");
+    write_file(found.files.back(), dump(found.json) + "\n");
   }
   if (options.json) {
-    fmt::print("{}\n", dump(json));
+    fmt::print("{}\n", dump(found.json));
     return 0;
   }
-  fmt::print("{}", stability::sweep_text(plan, sweep));
-  for (const std::filesystem::path& file : files) fmt::print("{} written\n", file.string());
+  fmt::print("{}", found.text);
+  for (const std::filesystem::path& file : found.files) fmt::print("{} written\n", file.string());
   return 0;
 }
 
 void add_choices(CLI::App& command, Options& options) {
+  command
+      .add_option("--part", options.parts,
+                  "Only this part (may be given several times): decisions; flicker on paths of the "
+                  "smallest steps; accumulation of slopes over thousands of lines; published, the "
+                  "thresholds of Stump's program. Default: all, or the decisions alone with SCENE, "
+                  "--decision or --axis")
+      ->type_name("NAME")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       .add_option("--decision", options.decisions,
                   "Only this decision (may be given several times): convexity, hull, sphere, "
@@ -170,15 +224,7 @@ void add_stability(CLI::App& program, int& exit_code) {
                    "then taken. Default: things at random")
       ->type_name("");
   add_choices(*command, *options);
-  command
-      ->add_option_function<std::string>(
-          "--seed",
-          [options](const std::string& text) {
-            options->seed =
-                parse_whole("--seed", text, 0, std::numeric_limits<std::uint64_t>::max());
-          },
-          "Other instances for another seed. Default: 1")
-      ->type_name("S");
+  add_seed_option(*command, options->seed);
   command
       ->add_option_function<std::string>(
           "--trials",

@@ -167,11 +167,15 @@ std::vector<Outcome> judge_projection(const Instance& instance, std::span<const 
   return in_each(formats, [&](const Format& format) {
     const Drawing drawing = draw({&t, 1}, true, instance.view, format);
     if (drawing.doubtful) return Outcome{Verdict::kDoubtful, {}, {}};
-    // Not drawn: the format takes the face for one seen edge on, which is another decision's claim.
-    if (drawing.faces.empty()) return answer(!drawn);
-    const bool right = drawing.faces[0].first_line == sight.first_line() &&
-                       drawing.faces[0].end_line == sight.end_line();
-    return answer(right, border, picture_bound(t, sight, instance.view, format));
+    std::optional<double> bound = picture_bound(t, sight, instance.view, format);
+    if (drawing.faces.empty()) {
+      // Words take it for a face that is seen edge on, which is another decision's claim.
+      if (format.arithmetic == Arithmetic::kMachine) bound.reset();
+      return answer(!drawn, border, bound);
+    }
+    return answer(drawing.faces[0].first_line == sight.first_line() &&
+                      drawing.faces[0].end_line == sight.end_line(),
+                  border, bound);
   });
 }
 
