@@ -63,7 +63,8 @@ TEST_F(CommandTest, ImpossibleViewsAreRefused) {
   expect_unusable({"run", "--eye", "1,2,3", "--path", "builtin"}, "excludes");
   expect_unusable({"run", "--frames", "0"}, "--frames");
   expect_unusable({"run", "--repeat", "1.5"}, "--repeat");
-  expect_unusable({"run", "--number", "half"}, "choose from float, double, machine, exact");
+  expect_unusable({"run", "--number", "half"},
+                  "choose from float, double, certified, machine, exact");
   expect_unusable({"run", "--priority", "z-buffer"}, "choose from counters, so");
   expect_unusable({"run", "--resolver", "x"}, "choose from auto, painter, coverage, active-list");
   expect_unusable({"run", "--sun", "1"}, "--sun");
