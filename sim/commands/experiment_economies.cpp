@@ -32,10 +32,16 @@ struct Options {
   std::optional<std::string> out;
 };
 
+enum class Flight {
+  kSlow,      ///< past the scene's own view
+  kApproach,  ///< the built-in airfield's, from its middle on
+  kWithin     ///< low through the middle of a city
+};
+
 struct Subject {
   std::string name;
   Database database;
-  bool airfield = false;  ///< the built-in one, which has a path
+  Flight flight = Flight::kSlow;
 };
 
 // Of a database nothing is copied, so that economies may point to it.
@@ -45,18 +51,40 @@ std::deque<Subject> subjects_of(const Options& options) {
     subjects.push_back({file, load_scene(file, {}).database});
   if (!subjects.empty()) return subjects;
   LoadedScene airfield = load_scene({}, {});
-  subjects.push_back({airfield.name, std::move(airfield.database), true});
+  subjects.push_back({airfield.name, std::move(airfield.database), Flight::kApproach});
   subjects.push_back({fmt::format("city of {}", kCity),
-                      prepare_scene({generate_environment("city", {kCity, 1}), {}}, "city", {})});
+                      prepare_scene({generate_environment("city", {kCity, 1}), {}}, "city", {}),
+                      Flight::kWithin});
   return subjects;
 }
 
-std::vector<FrameView> views_of(const Subject& subject, std::size_t frames) {
-  if (!subject.airfield) return slow_flight(subject.database, frames);
+// Frames that follow each other, as far as the path goes; the eye moves as it does in flight.
+std::vector<FrameView> approach(const Database& database, std::size_t frames) {
   ViewOptions view;
   view.path = "builtin";
-  view.frames = frames;
-  return frame_views(view, load_path(view), subject.database);
+  std::vector<FrameView> views = frame_views(view, load_path(view), database);
+  if (views.size() <= frames) return views;
+  const auto first = views.begin() + static_cast<std::ptrdiff_t>((views.size() - frames) / 2);
+  return {first, first + static_cast<std::ptrdiff_t>(frames)};
+}
+
+// Northwards, one unit a frame, at the height of the lower roofs.
+std::vector<FrameView> flight_within(const Database& database, std::size_t frames) {
+  constexpr double kHeight = 30;
+  std::vector<FrameView> views;
+  const Vec3 middle = database.systems[0].sphere.centre;
+  for (std::size_t f = 0; f < frames; ++f) {
+    Viewpoint viewpoint{{}, database.view.fov};
+    viewpoint.eye.position = {middle.x, middle.y + static_cast<double>(f), kHeight};
+    views.push_back({viewpoint, static_cast<double>(f)});
+  }
+  return views;
+}
+
+std::vector<FrameView> views_of(const Subject& subject, std::size_t frames) {
+  if (subject.flight == Flight::kApproach) return approach(subject.database, frames);
+  if (subject.flight == Flight::kWithin) return flight_within(subject.database, frames);
+  return slow_flight(subject.database, frames);
 }
 
 EconomyOptions economy_options(const Options& options) {

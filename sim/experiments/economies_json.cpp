@@ -44,6 +44,7 @@ Json so_json(const SoSteps& so) {
       {"groups", so.groups},
       {"pairs", so.pairs},
       {"full_cycles", so.full_cycles},
+      {"first_cycles", so.first.cycles},
       {"crossings", so.update.crossings},
       {"crossed_pairs", so.update.pairs},
       {"update_cycles", so.update.cycles},

@@ -53,13 +53,15 @@ std::string so_text(const SoSteps& so) {
   return fmt::format(
       "  SO matrix, a frame   anew: {:.1f} cycles, {:.1f} pairs, {:.4f} ms; kept: {:.1f} cycles to "
       "update and {:.1f} to\n    read rows again, {:.1f} pairs, {:.1f} planes crossed, {:.4f} ms; "
-      "saved {} of the cycles, {} of the time{}\n",
+      "saved {} of the cycles, {} of the time{}\n    Telling all planes when a group is first in "
+      "view: {} cycles in all\n",
       static_cast<double>(so.full_cycles) / frames, static_cast<double>(so.pairs) / frames,
       so.full_ms.median, static_cast<double>(so.update.cycles) / frames,
       static_cast<double>(so.row_cycles) / frames, static_cast<double>(so.update.pairs) / frames,
       static_cast<double>(so.update.crossings) / frames, so.update_ms.median,
       percent(kept, static_cast<double>(so.full_cycles)),
-      percent(so.update_ms.median, so.full_ms.median), so.wrong_rows > 0 ? "; ROWS DIFFER" : "");
+      percent(so.update_ms.median, so.full_ms.median), so.wrong_rows > 0 ? "; ROWS DIFFER" : "",
+      so.first.cycles);
 }
 
 std::string rtl_text(const RtlSize& rtl) {

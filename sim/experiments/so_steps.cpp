@@ -83,12 +83,14 @@ class Matrices {
     return sum;
   }
 
-  std::uint64_t update(const Frame& frame, SoUpdateWork& work, std::uint64_t& rows) {
+  // `first`: of groups that were not in view before.
+  std::uint64_t update(const Frame& frame, SoUpdateWork& first, SoUpdateWork& work,
+                       std::uint64_t& rows) {
     std::uint64_t sum = 0;
     for (const Ask& ask : frame) {
       Kept& kept = kept_.at(ask.group);
       const std::uint64_t before = work.crossings;
-      kept.matrix.move(ask.eye_true, work);
+      kept.matrix.move(ask.eye_true, kept.active == 0 ? first : work);
       if (work.crossings != before || kept.active != ask.active) {
         kept.active = ask.active;
         kept.sum = 0;
@@ -142,7 +144,8 @@ void count(const std::vector<Frame>& frames, Matrices& matrices, SoSteps& steps)
       steps.pairs += members * (members - 1) / 2;
     }
     const std::uint64_t sum = matrices.anew(frame);
-    if (matrices.update(frame, steps.update, steps.row_cycles) != sum) ++steps.wrong_rows;
+    if (matrices.update(frame, steps.first, steps.update, steps.row_cycles) != sum)
+      ++steps.wrong_rows;
     steps.wrong_rows += matrices.wrong_rows(frame);
   }
 }
@@ -165,11 +168,11 @@ SoSteps so_steps(const Database& database, const std::vector<FrameView>& views,
   std::vector<double> full_ms, update_ms;
   std::uint64_t sums = 0, rows = 0;
   SoUpdateWork work;
-  for (const Frame& frame : frames) sums += matrices.update(frame, work, rows);
+  for (const Frame& frame : frames) sums += matrices.update(frame, work, work, rows);
   for (const std::size_t form : interleaved(2, rounds, seed)) {
     HostTime time;
     for (const Frame& frame : frames)
-      sums += form == 0 ? matrices.anew(frame) : matrices.update(frame, work, rows);
+      sums += form == 0 ? matrices.anew(frame) : matrices.update(frame, work, work, rows);
     (form == 0 ? full_ms : update_ms).push_back(time.lap() / static_cast<double>(frames.size()));
   }
   // A sum that is asked for is computed.

@@ -14,7 +14,9 @@ struct SoSteps {
   std::uint64_t frames = 0, groups = 0, pairs = 0;  ///< pairs of active members
   /// Anew: a row of so_engine.sv a cycle, for every active member.
   std::uint64_t full_cycles = 0;
-  /// Kept: crossings of planes, pairs that they part, and cycles of so_update.sv; and, of the
+  /// Kept: telling a group's planes when it is first in view,
+  priority_processor::SoUpdateWork first;
+  /// then crossings of planes, pairs that they part, and cycles of so_update.sv; and, of the
   /// groups where anything changed, a cycle for each row that is read again.
   priority_processor::SoUpdateWork update;
   std::uint64_t row_cycles = 0;
