@@ -7,10 +7,12 @@
 #include "models/environment/text_file.hpp"
 #include "sim/measure/reference.hpp"
 #include "sim/picture_file.hpp"
+#include "sim/report/spread.hpp"
 
 namespace cigsim {
 namespace {
 
+constexpr std::size_t kMostPlaces = 300;
 constexpr std::uint32_t kWrongObject = 0xff3d26d7, kWrongColour = 0xff3aa3f2;  // as Picture
 
 std::uint32_t pale_grey(std::uint32_t colour) {
@@ -19,12 +21,24 @@ std::uint32_t pale_grey(std::uint32_t colour) {
   return 0xff000000 | grey << 16 | grey << 8 | grey;
 }
 
+std::vector<std::array<int, 2>> places_of_difference(const Picture& a, const Picture& b) {
+  std::vector<int> places;
+  for (std::size_t i = 0; i < a.numbers.size(); ++i)
+    if (a.numbers[i] != b.numbers[i] || a.colours[i] != b.colours[i])
+      places.push_back(static_cast<int>(i));
+  std::vector<std::array<int, 2>> out;
+  for (const std::size_t i : spread_evenly(places.size(), kMostPlaces))
+    out.push_back({places[i] % a.width, places[i] / a.width});
+  return out;
+}
+
 FrameDifference difference_of(const Picture& picture, ReferencePicture reference) {
   FrameDifference out;
   out.error = picture_error(picture, reference);
   if (out.error.wrong + out.error.wrong_colours == 0) return out;
   out.exact_png = png_bytes(reference.picture);
   out.difference_png = png_bytes(difference_picture(picture, reference.picture));
+  out.places = places_of_difference(picture, reference.picture);
   return out;
 }
 

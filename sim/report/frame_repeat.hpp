@@ -3,6 +3,7 @@
 // pictures.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ namespace cigsim {
 struct FrameDifference {
   PictureError error;
   std::string exact_png, difference_png;  ///< bytes; none where nothing differs
+  /// [column, line] of elements that differ, row by row; of very many some, spread over all.
+  std::vector<std::array<int, 2>> places;
 };
 
 struct RepeatedFrame {

@@ -12,6 +12,7 @@
 #include "sim/report/base64.hpp"
 #include "sim/report/faces_json.hpp"
 #include "sim/report/frame_repeat.hpp"
+#include "sim/report/spread.hpp"
 
 namespace cigsim {
 namespace {
@@ -81,6 +82,7 @@ Json difference_json(const FrameDifference& difference) {
   const bool same = difference.exact_png.empty();
   out["exact"] = same ? Json() : Json(data_uri("image/png", difference.exact_png));
   out["picture"] = same ? Json() : Json(data_uri("image/png", difference.difference_png));
+  out["places"] = difference.places;
   return out;
 }
 
@@ -95,7 +97,7 @@ class Section {
 
   Json make() {
     Json frames = Json::array(), table = Json::array();
-    const auto shown = spread_frames(run_.frames.size(), options_.frames);
+    const auto shown = spread_evenly(run_.frames.size(), options_.frames);
     for (const std::size_t number : shown) {
       frames.push_back(frame(number));
       if (options_.progress)
@@ -192,16 +194,6 @@ class Section {
 };
 
 }  // namespace
-
-std::vector<std::size_t> spread_frames(std::size_t count, std::size_t shown) {
-  std::vector<std::size_t> out;
-  if (shown >= count)
-    for (std::size_t i = 0; i < count; ++i) out.push_back(i);
-  else
-    for (std::size_t i = 0; i < shown; ++i)
-      out.push_back(shown == 1 ? 0 : i * (count - 1) / (shown - 1));
-  return out;
-}
 
 Json run_section(const RecordedRun& run, const std::filesystem::path& folder,
                  const RunSectionOptions& options) {

@@ -22,7 +22,4 @@ struct RunSectionOptions {
 nlohmann::ordered_json run_section(const RecordedRun& run, const std::filesystem::path& folder,
                                    const RunSectionOptions& options);
 
-/// `shown` of `count`, spread evenly from the first to the last.
-std::vector<std::size_t> spread_frames(std::size_t count, std::size_t shown);
-
 }  // namespace cigsim

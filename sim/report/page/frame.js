@@ -6,8 +6,8 @@ function differenceWords(difference) {
   const {elements, wrong, share, worst_distance: distance, colour} = difference;
   if (wrong === 0 && colour.wrong === 0)
     return `Every one of the ${number(elements)} elements is that of the exact picture.`;
-  const place = wrong > 0 ?
-    `, at most ${number(distance, 3)} elements from an edge of the exact picture` : '';
+  const place = wrong === 0 ? '' : distance === 0 ? ', at edges of the exact picture' :
+    `, at most ${number(distance, 3)} elements from an edge of the exact picture`;
   return `Against the exact picture: ${count(wrong, 'element')} of ${number(elements)} ` +
     `(${percent(share)}) ${wrong === 1 ? 'shows' : 'show'} another object${place}; ` +
     `${count(colour.wrong, 'element')} ${colour.wrong === 1 ? 'has' : 'have'} another colour.`;
@@ -20,6 +20,18 @@ function pictureKinds(frame) {
     kinds.push(['difference', 'difference', frame.difference.picture],
       ['exact', 'exact', frame.difference.exact]);
   return kinds;
+}
+
+/** Takes the cross-hair from one place that differs to the next. */
+function nextDifference(frame, state, redraw) {
+  const places = frame.difference ? frame.difference.places : [];
+  if (places.length === 0) return null;
+  return h('button', {type: 'button', class: 'next-difference', click: () => {
+    const after = places.find(([column, line]) =>
+      line > state.line || (line === state.line && column > state.column));
+    [state.column, state.line] = after || places[0];
+    redraw('difference');
+  }}, 'next difference →');
 }
 
 function kindChooser(kinds, state, redraw) {
@@ -69,7 +81,9 @@ function frameView(run, frame, state, redraw) {
   return [
     kindChooser(kinds, state, redraw),
     frame.difference ? h('p', {class: 'difference'}, differenceWords(frame.difference)) : null,
-    key, pictureView(run, frame, source, `${label} of frame ${frame.frame}`, state),
+    nextDifference(frame, state, redraw), key,
+    pictureView(run, frame, source, `${label} of frame ${frame.frame}`, state,
+      state.kind === 'difference' ? frame.difference.places : []),
     h('h3', {}, 'Time'), timeline(frame, run.machine),
     h('div', {class: 'columns'},
       h('div', {}, h('h3', {}, 'Figures'), figuresView(frame.figures)),
@@ -91,7 +105,8 @@ function frameSection(run, state, changed) {
     before.disabled = state.index === 0;
     after.disabled = state.index === shown.length - 1;
     body.replaceChildren(...frameView(run, frame, state, draw).flat().filter(node => node));
-    if (focus === 'kind') body.querySelector(`input[value="${state.kind}"]`).focus();
+    const again = {kind: `input[value="${state.kind}"]`, difference: '.next-difference'}[focus];
+    if (again) body.querySelector(again).focus();
     changed(frame);
   };
   const go = index => {

@@ -91,8 +91,27 @@ function pictureBox(source, words, hair) {
   return box;
 }
 
+/** The elements around the cross-hair, large. */
+function lens(image, hair) {
+  const around = 7, size = 2 * around + 1, scale = 12;
+  const canvas = h('canvas', {class: 'lens', width: size * scale, height: size * scale,
+    role: 'img', 'aria-label': `The ${size} by ${size} elements around the cross-hair`});
+  const context = canvas.getContext('2d');
+  const draw = () => {
+    const {column, line} = hair.place;
+    context.imageSmoothingEnabled = false;
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.drawImage(image, column - around, line - around, size, size, 0, 0, canvas.width,
+      canvas.height);
+    context.strokeStyle = '#ff2bd6';
+    context.strokeRect(around * scale - .5, around * scale - .5, scale + 1, scale + 1);
+  };
+  hair.listen(() => image.complete ? draw() : image.addEventListener('load', draw, {once: true}));
+  return canvas;
+}
+
 /** What stands at the cross-hair: its place, the line's crossings, the priority list. */
-function hairPanel(run, frame, hair) {
+function hairPanel(run, frame, hair, magnified) {
   const column = coordinate('column', hair.width, value => hair.move(value, hair.place.line));
   const line = coordinate('line', hair.height, value => hair.move(hair.place.column, value));
   const crossings = h('p', {class: 'line-crossings'}), list = h('div', {'aria-live': 'polite'});
@@ -106,26 +125,31 @@ function hairPanel(run, frame, hair) {
   });
   return h('aside', {class: 'panel', 'aria-label': 'At the cross-hair'},
     h('h3', {}, 'At the cross-hair'),
-    h('div', {class: 'coordinates'}, column.node, line.node), crossings,
+    h('div', {class: 'coordinates'}, column.node, line.node), crossings, magnified,
     h('p', {class: 'hint'}, 'Faces that pierce this element, from the highest priority down. ' +
       'Click the picture, or use the arrow keys on it.'), list);
 }
 
-function pictureView(run, frame, source, words, place) {
+/** A picture with its cross-hair; `marks` are places to be ringed. */
+function pictureView(run, frame, source, words, place, marks) {
   const [width, height] = run.options.raster;
   const hair = new CrossHair(place, width, height);
   hair.move(place.column, place.line);
-  const raster = h('div', {class: 'raster'}, pictureBox(source, words, hair));
+  const box = pictureBox(source, words, hair);
+  for (const [column, line] of marks)
+    box.querySelector('svg').append(
+      svg('circle', {cx: column + .5, cy: line + .5, r: Math.max(width, height) / 80}));
+  const raster = h('div', {class: 'raster'}, box);
   let caption = null;
   if (frame.crossings) {
     const capacity = run.machine ? run.machine.crossing_capacity : 0;
     const {graph, show, worst} = crossingsGraph(frame, capacity);
     hair.listen((column, line) => show(line));
-    raster.append(graph);
+    raster.append(h('div', {class: 'beside'}, graph));
     caption = h('p', {class: 'hint'}, `Right of the picture: crossings by line, at most ` +
       `${number(frame.crossings[worst])}, on line ${worst}` +
       (capacity > 0 ? `; a line holds ${number(capacity)}.` : '.'));
   }
   return h('div', {class: 'view'}, h('div', {class: 'main'}, raster, caption),
-    hairPanel(run, frame, hair));
+    hairPanel(run, frame, hair, lens(box.querySelector('img'), hair)));
 }

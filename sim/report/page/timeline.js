@@ -115,8 +115,8 @@ function hostTimeline(frame) {
   });
   return [
     h('p', {}, 'The functional level knows no cycles: this is the time of the computer that the ' +
-      `run was made on, ${number(frame.figures.host_ms)} ms in all. The painter does the work of ` +
-      'the edge orderer and the resolver within the video processor.'),
+      `run was made on, ${number(frame.figures.host_ms)} ms in all. A stage without time has left ` +
+      'its work to another: the painter does that of the edge orderer and the resolver.'),
     scrolling('Host time', chart), line,
   ];
 }

@@ -85,6 +85,17 @@ class Pages(unittest.TestCase):
         self.cigsim("report", folder, *arguments)
         self.open(self.folder / folder / "report.html")
 
+    def machine(self, preset, **changes):
+        """The file of a preset with some figures changed."""
+        told = subprocess.run([CIGSIM, "machines", preset, "--json"], check=True,
+                              capture_output=True).stdout
+        machine = json.loads(told)
+        for name, value in changes.items():
+            figures = machine["figures"]
+            (figures if name in figures else figures["formats"])[name]["value"] = value
+        (self.folder / "changed.json").write_text(json.dumps(machine))
+        return "changed.json"
+
     def open(self, page):
         self.browser.get_log("performance")
         self.browser.get(page.as_uri())
@@ -95,7 +106,8 @@ class Pages(unittest.TestCase):
         messages = [json.loads(entry["message"])["message"]
                     for entry in self.browser.get_log("performance")]
         asked = {message["params"]["request"]["url"].split(":")[0] for message in messages
-                 if message["method"] == "Network.requestWillBeSent"}
+                 if message["method"] == "Network.requestWillBeSent" and
+                 message["params"]["documentURL"].startswith("file:")}  # not the first empty page
         self.assertLessEqual(asked, {"file", "data"})
         for width in (1280, 360):
             self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
@@ -109,6 +121,9 @@ class Pages(unittest.TestCase):
 
     def one(self, selector):
         return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def place_of_hair(self):
+        return [int(field.get_property("value")) for field in self.all(".coordinates input")]
 
     def shown_objects(self, points):
         """What the page shows after a click at the middle of each of these elements."""
@@ -161,7 +176,8 @@ class Pages(unittest.TestCase):
         self.assertIn("not on machine words", self.one("#machine").text)
 
     def test_difference_pictures(self):
-        self.cigsim("run", "--machine", "unlimited", "--raster", "160x120", "--out", "words")
+        narrow = self.machine("unlimited", coordinate_bits=16, raster_fraction=4)
+        self.cigsim("run", "--machine", narrow, "--raster", "160x120", "--out", "words")
         self.report("words")
         self.assertIn("another object", self.one(".difference").text)
         sources = set()
@@ -171,6 +187,13 @@ class Pages(unittest.TestCase):
             self.assertGreater(self.one(".picture img").get_property("naturalWidth"), 0)
             sources.add(self.one(".picture img").get_attribute("src"))
         self.assertEqual(len(sources), 3)
+        exact = self.browser.execute_script("return data.run.shown[0].difference")
+        self.assertGreater(len(exact["places"]), 1)
+        self.one("input[value=difference]").click()
+        self.assertEqual(len(self.all(".hair circle")), len(exact["places"]))
+        for _ in range(2):
+            self.one(".next-difference").click()
+            self.assertIn(self.place_of_hair(), exact["places"])
 
     def test_timed_run(self):
         self.cigsim("run", "--machine", "asupt1975", "--level", "timed", "--path", "builtin",
@@ -195,12 +218,9 @@ class Pages(unittest.TestCase):
 
     def test_overfull_lines(self):
         for policy in ("drop", "cut"):
-            machine = json.loads(subprocess.run(
-                [CIGSIM, "machines", "asupt1975", "--json"], check=True, capture_output=True).stdout)
-            machine["crossing_capacity"]["value"] = 12
-            (self.folder / "small.json").write_text(json.dumps(machine))
-            self.cigsim("run", "--machine", "small.json", "--raster", "160x120", "--overload",
-                        policy, "--out", policy)
+            small = self.machine("asupt1975", crossing_capacity=12)
+            self.cigsim("run", "--machine", small, "--raster", "160x120", "--overload", policy,
+                        "--out", policy)
             self.report(policy)
             self.check_lists(0, read_ids(self.folder / policy / "ids-0000.pgm"))
             self.assertIsNotNone(self.one(".crossings .capacity"))
@@ -210,13 +230,13 @@ class Pages(unittest.TestCase):
         self.report("keys")
         picture = self.one(".picture")
         picture.click()
-        picture.send_keys(Keys.ARROW_RIGHT, Keys.ARROW_UP)
-        column, line = (int(i.get_property("value")) for i in self.all(".coordinates input"))
-        self.assertEqual([column, line], [81, 59])
+        place = self.place_of_hair()
+        picture.send_keys(Keys.ARROW_RIGHT, Keys.ARROW_UP, Keys.SHIFT + Keys.ARROW_LEFT)
+        self.assertEqual(self.place_of_hair(), [place[0] - 15, place[1] - 1])
         box = self.all(".coordinates input")[0]
         box.clear()
         box.send_keys("9999", Keys.TAB)
-        self.assertEqual(self.all(".coordinates input")[0].get_property("value"), "159")
+        self.assertEqual(self.place_of_hair()[0], 159)
 
     def test_hostile_names_are_text(self):
         name = "<b>&'.json"

@@ -8,7 +8,7 @@
 #include "sim/report/faces_json.hpp"
 #include "sim/report/frame_repeat.hpp"
 #include "sim/report/page.hpp"
-#include "sim/report/run_section.hpp"
+#include "sim/report/spread.hpp"
 #include "tests/support/scratch.hpp"
 
 namespace cigsim {
@@ -58,11 +58,11 @@ TEST(Page, NamesNothingOutsideItself) {
   }
 }
 
-TEST(RunSection, FramesAreSpreadFromTheFirstToTheLast) {
-  EXPECT_EQ(spread_frames(3, 12), (std::vector<std::size_t>{0, 1, 2}));
-  EXPECT_EQ(spread_frames(100, 4), (std::vector<std::size_t>{0, 33, 66, 99}));
-  EXPECT_EQ(spread_frames(100, 1), (std::vector<std::size_t>{0}));
-  EXPECT_TRUE(spread_frames(0, 5).empty());
+TEST(SpreadEvenly, FromTheFirstToTheLast) {
+  EXPECT_EQ(spread_evenly(3, 12), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(spread_evenly(100, 4), (std::vector<std::size_t>{0, 33, 66, 99}));
+  EXPECT_EQ(spread_evenly(100, 1), (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(spread_evenly(0, 5).empty());
 }
 
 TEST(ReadIds, RefusesWhatIsNoPictureOfNumbers) {
