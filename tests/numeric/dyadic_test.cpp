@@ -40,6 +40,12 @@ TEST(Dyadic, SumsAndProductsAreExact) {
     ASSERT_EQ(rational(value), want) << a << " " << b << " " << c << " " << d;
     EXPECT_EQ(value.sign(), sgn(want));
     EXPECT_EQ(Dyadic(a) < Dyadic(b), a < b);
+    // Beyond 127 bits.
+    const Dyadic longer = value * value * Dyadic(c) - value * Dyadic(b);
+    const Exact longer_want = want * want * Exact(c) - want * Exact(b);
+    ASSERT_EQ(rational(longer), longer_want) << a << " " << b << " " << c << " " << d;
+    EXPECT_EQ((longer - longer).sign(), 0);
+    EXPECT_EQ((-longer).sign(), -sgn(longer_want));
   }
 }
 
