@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/stability/material.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "models/database/polygon.hpp"
 
 namespace cigsim::stability {
@@ -37,6 +40,24 @@ Material material_of(const Database& database, const std::vector<Vec3>& eyepoint
   out.eyepoints = eyepoints;
   out.eyepoints.push_back(database.view.eye.position);
   return out;
+}
+
+double reach_of(const Material& material) {
+  double most = 0;
+  const auto take = [&](const Vec3& p) {
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  };
+  for (const Triangle& t : material.triangles) std::for_each(t.begin(), t.end(), take);
+  for (const PlaneDefinition& d : material.planes)
+    for (const Vec3& p : {d.p, d.u0, d.u1, d.v0, d.v1}) take(p);
+  for (const std::vector<Vec3>& body : material.bodies)
+    std::for_each(body.begin(), body.end(), take);
+  for (const Sphere& sphere : material.spheres) {
+    take(sphere.centre);
+    most = std::max(most, sphere.radius);
+  }
+  for (const Vec3& eye : material.eyepoints) take(eye);
+  return most;
 }
 
 }  // namespace cigsim::stability

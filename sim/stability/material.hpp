@@ -27,4 +27,9 @@ struct Material {
 /// The static environment's. `eyepoints`: further ones beside the scene's default view.
 Material material_of(const Database& database, const std::vector<Vec3>& eyepoints = {});
 
+/// The largest coordinate of them, either way. Above kMostReach things leave the range of doubles
+/// when they are scaled to their extremes.
+double reach_of(const Material& material);
+inline constexpr double kMostReach = 1e90;
+
 }  // namespace cigsim::stability

@@ -14,14 +14,6 @@ ExactVec normal_of(const PlaneDefinition& d) {
                convert<Exact>(d.v1) - convert<Exact>(d.v0));
 }
 
-// How far column `at` is from the column where a side of the cone meets the line, measured across
-// the side.
-double across(const Exact& a, const Exact& b, const Exact& at, const ExactVec& normal) {
-  const double level = Exact(a + b * at).get_d();
-  const double slant = std::hypot(normal.y.get_d(), normal.z.get_d());
-  return std::abs(level) / slant;
-}
-
 }  // namespace
 
 int exact_side(const PlaneDefinition& plane, const Vec3& point) {
@@ -52,6 +44,12 @@ Sight::Sight(const Triangle& triangle, const ViewTransform& view) : view_(view) 
   facing_ = sgn(dot(normals_[0], corner[2]));
   if (facing_ < 0)
     for (ExactVec& n : normals_) n = {Exact(-n.x), Exact(-n.y), Exact(-n.z)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ExactVec& n = normals_[i];
+    largest_[i] = std::max(Exact(abs(n.y)), Exact(abs(n.z)));
+    if (sgn(largest_[i]) != 0)
+      slant_[i] = std::hypot(Exact(n.y / largest_[i]).get_d(), Exact(n.z / largest_[i]).get_d());
+  }
   const Exact focal(view.focal), right = view.raster.width * kHalf, up = view.raster.height * kHalf;
   whole_ = std::all_of(corner, corner + 3, [&](const ExactVec& p) {
     return sgn(p.x) > 0 && focal * abs(p.y) < right * p.x && focal * abs(p.z) < up * p.x;
@@ -99,9 +97,12 @@ double Sight::distance_from_border(int line, const Exact& column, bool left) con
   const Exact at = column + kHalf;
   // The raster's own border.
   double least = std::abs(left ? at.get_d() : at.get_d() - view_.raster.width);
-  for (const ExactVec& n : normals_) {
-    const Side side = at_line(n, line);
-    if (sgn(side.b) * (left ? 1 : -1) > 0) least = std::min(least, across(side.a, side.b, at, n));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Side side = at_line(normals_[i], line);
+    if (sgn(side.b) * (left ? 1 : -1) <= 0) continue;
+    // The side's level over its slope across the border; of rationals, as either may underflow.
+    const Exact level = (side.a + side.b * at) / largest_[i];
+    least = std::min(least, std::abs(level.get_d()) / slant_[i]);
   }
   return least;
 }

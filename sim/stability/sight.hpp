@@ -66,6 +66,8 @@ class Sight {
 
   ViewTransform view_;
   std::array<ExactVec, 3> normals_;
+  std::array<Exact, 3> largest_;   // of a normal's elements across the line of sight
+  std::array<double, 3> slant_{};  // their length over that
   std::array<Exact, 3> rows_;
   int facing_ = 0, first_line_ = 0, end_line_ = 0;
   bool whole_ = false;

@@ -117,6 +117,9 @@ TEST_F(StabilityCommand, RefusesWhatItCannotUse) {
   expect_unusable({"stability", "--trials", "1", "--out", "file"}, "--out");
   put("empty.json", R"({"cigsim": 1, "objects": []})");
   expect_unusable({"stability", "empty.json"}, "empty.json");
+  put("far.json", R"({"cigsim": 1, "objects": [{"vertices": [[0, 0, 0], [1e200, 0, 0], [0, 1, 0]],
+                      "faces": [[0, 1, 2]]}]})");
+  expect_unusable({"stability", "far.json"}, "larger unit");
 }
 
 }  // namespace
