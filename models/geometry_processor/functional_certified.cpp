@@ -8,8 +8,8 @@
 // that, which covers its own rounding, and is at least 8 e times any coordinate.
 //
 // Distances from a side, h u - f v and the like: (f + h) error for their terms, 3 e (f + h) times
-// the largest coordinate, so (3/8) (f + h) error, for products and sum: below `spread_` times error
-// with spread_ = 1.5 (f + h).
+// the largest coordinate, so (3/8) (f + h) error, for products and sum: below spread() times error
+// with spread() = 1.5 (f + h).
 //
 // Projection of a point within the pyramid, where |v/u| <= h/f: f v'/u' - f v/u, with v' and u' as
 // computed, is f (v' - v)/u' + f (v/u) (u - u')/u', below (f + h) error / u'; rounding adds less
@@ -35,7 +35,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "models/boundary/exact_direction.hpp"
 
@@ -46,9 +45,6 @@ constexpr std::uint8_t kSides = 0xf;
 // A vertex that is outside no side, yet has no place on the raster that doubles could tell: at the
 // eyepoint or next to it.
 constexpr std::uint8_t kUnplaced = 0x10;
-
-// Far below the largest double: sums and products of distances below this do not overflow.
-constexpr double kLargest = 0x1p400;
 
 double size(double x, double y, double z) { return std::abs(x) + std::abs(y) + std::abs(z); }
 
@@ -84,8 +80,8 @@ void Functional<Certified>::start(const ViewTransform& view) {
     largest = std::max({largest, std::abs(row.x), std::abs(row.y), std::abs(row.z)});
   unit_ = caution_ * largest * 0x1p-50;
   least_ = caution_ * 0x1p-1000;
-  spread_ = 1.5 * (view.focal + std::max(half_width_, half_height_));
-  projected_ = spread_ / view.focal;
+  clip_ = CertifiedClip(view);
+  projected_ = clip_.spread() / view.focal;
   rounding_ = caution_ * 0x1p-46 * (view.raster.width + view.raster.height);
 }
 
@@ -103,7 +99,7 @@ void Functional<Certified>::transform(const FaceSet& set, const Item& item) {
   }
 }
 
-Functional<Certified>::Point Functional<Certified>::viewpoint_position(const Vec3& vertex) const {
+CertifiedPoint Functional<Certified>::viewpoint_position(const Vec3& vertex) const {
   const Vec3 d = vertex - view_->eye;
   const Mat3& m = view_->rotation;
   return {dot(m.row[0], d), dot(m.row[1], d), dot(m.row[2], d),
@@ -111,10 +107,10 @@ Functional<Certified>::Point Functional<Certified>::viewpoint_position(const Vec
 }
 
 void Functional<Certified>::classify(const FaceSet& set, const Item& item, std::uint32_t i) {
-  const Point& p = points_[i];
+  const CertifiedPoint& p = points_[i];
   const double wide = half_width_ * p.u, high = half_height_ * p.u;
   const double right = view_->focal * p.v, up = view_->focal * p.w;
-  const double margin = spread_ * p.error;
+  const double margin = clip_.spread() * p.error;
   if (wide - std::abs(right) > margin && high - std::abs(up) > margin) {
     codes_[i] = 0;
     places_[i] = project(p);
@@ -158,14 +154,7 @@ int Functional<Certified>::first_line(const Dyadic& u, const Dyadic& w) const {
   return std::clamp(static_cast<int>(line.get_si()), 0, view_->raster.height);
 }
 
-// As PyramidSides counts them.
-double Functional<Certified>::distance(int side, const Point& p) const {
-  const double half = (side < 2 ? half_width_ : half_height_) * p.u;
-  const double across = view_->focal * (side < 2 ? p.v : -p.w);
-  return side % 2 == 0 ? half + across : half - across;
-}
-
-Functional<Certified>::Place Functional<Certified>::project(const Point& p) const {
+Functional<Certified>::Place Functional<Certified>::project(const CertifiedPoint& p) const {
   const double scale = view_->focal / p.u;
   return {half_width_ + p.v * scale, half_height_ - p.w * scale,
           projected_ * p.error * scale + rounding_, 0};
@@ -238,7 +227,7 @@ void Functional<Certified>::process_exactly(const FaceSet& set, const Item& item
   }
 }
 
-// As clip() of clip.hpp, on the loop of the face. False: a decision is in doubt.
+// False: a decision is in doubt.
 bool Functional<Certified>::clip(const FaceSet& set, const PreparedFace& face, std::uint8_t sides) {
   loop_.clear();
   const std::uint32_t* corners = set.corners.data() + face.first_corner;
@@ -246,59 +235,13 @@ bool Functional<Certified>::clip(const FaceSet& set, const PreparedFace& face, s
     const std::uint32_t a = corners[c], b = corners[c + 1 < face.corner_count ? c + 1 : 0];
     loop_.push_back({points_[a], {a, b}, a, codes_[a], 0});
   }
-  for (int side = 0; side < PyramidSides<double>::kCount; ++side)
-    if ((sides >> side & 1) && !clip_side(side)) return false;
-  return true;
-}
-
-bool Functional<Certified>::clip_side(int side) {
-  const std::uint8_t bit = static_cast<std::uint8_t>(1 << side);
-  for (Corner& corner : loop_) {
-    if (!(corner.unknown & bit)) continue;
-    const double d = distance(side, corner.at), margin = spread_ * corner.at.error;
-    if (d < -margin)
-      corner.outside |= bit;
-    else if (!(d > margin))
-      return false;
-  }
-  scratch_.clear();
-  for (std::size_t i = 0; i < loop_.size(); ++i) {
-    const Corner& a = loop_[i];
-    const Corner& b = loop_[i + 1 < loop_.size() ? i + 1 : 0];
-    if (!(a.outside & bit)) scratch_.push_back(a);
-    if ((a.outside & bit) != (b.outside & bit)) scratch_.push_back(cut(a, b, side));
-  }
-  loop_.swap(scratch_);
-  return true;
-}
-
-// Between two corners on one side of a later plane, the cut is there too.
-Functional<Certified>::Corner Functional<Certified>::cut(const Corner& a, const Corner& b,
-                                                         int side) const {
-  const bool leaves = !(a.outside >> side & 1);
-  const Point& in = leaves ? a.at : b.at;
-  const Point& out = leaves ? b.at : a.at;
-  const double d_in = distance(side, in), between = d_in - distance(side, out);
-  const double t = d_in / between;
-  const double u = out.u - in.u, v = out.v - in.v, w = out.w - in.w;
-  const double error = std::max(in.error, out.error);
-  Corner made;
-  made.at = {in.u + u * t, in.v + v * t, in.w + w * t,
-             between > 0 && between < kLargest
-                 ? 2.5 * error + 1.01 * size(u, v, w) * (spread_ * error / between)
-                 : std::numeric_limits<double>::infinity()};
-  made.edge = leaves ? Line{kNone, static_cast<std::uint32_t>(side)} : a.edge;
-  const int later = kSides & ~((2 << side) - 1);
-  const int alike = ~(a.outside ^ b.outside) & ~a.unknown & ~b.unknown;
-  made.outside = static_cast<std::uint8_t>(a.outside & alike & later);
-  made.unknown = static_cast<std::uint8_t>(~alike & later);
-  return made;
+  return clip_.clip(sides, loop_);
 }
 
 // False: a line is in doubt.
 bool Functional<Certified>::place_loop() {
   loop_places_.clear();
-  for (const Corner& corner : loop_) {
+  for (const LoopCorner& corner : loop_) {
     if (corner.vertex != kNone) {
       loop_places_.push_back(places_[corner.vertex]);
       continue;
@@ -320,7 +263,7 @@ void Functional<Certified>::begin_face(const PreparedFace& face, const EdgeList<
 }
 
 // A front face runs anticlockwise on the raster, so its left edges run down.
-void Functional<Certified>::add_edge(const Place& a, const Place& b, const Line& line,
+void Functional<Certified>::add_edge(const Place& a, const Place& b, const LoopLine& line,
                                      const Item& item, bool front, EdgeList<Certified>& out) {
   twice_area_ += a.x * b.y - b.x * a.y;
   if (a.line == b.line) return;
