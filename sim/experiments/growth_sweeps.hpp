@@ -21,7 +21,8 @@ struct GrowthSubject {
 };
 
 /// Frames of all subjects in `rounds` rounds of random order; each is measured after one that is
-/// not, so that it finds its machine warm.
+/// not, so that it finds its machine warm. Times are the processor's, so that what other programs
+/// take of the host meanwhile does not count; a stage has the share that it has of the frame's.
 void measure_frames(std::vector<GrowthSubject>& subjects, std::size_t rounds, std::uint64_t seed);
 
 /// A curve's points from the frames of a sweep.
