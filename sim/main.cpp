@@ -106,6 +106,7 @@ int main(int argc, char** argv) {
   cigsim::add_experiment(program, exit_code);
   cigsim::add_report(program, exit_code);
   cigsim::add_stability(program, exit_code);
+  cigsim::add_tradeoff(program, exit_code);
   cigsim::add_wave_picture(program, exit_code);
   const int result = parse_and_run(program, argc, argv, exit_code);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

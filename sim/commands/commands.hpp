@@ -31,6 +31,7 @@ void add_cards(CLI::App& program, int& exit_code);
 void add_experiment(CLI::App& program, int& exit_code);
 void add_report(CLI::App& program, int& exit_code);
 void add_stability(CLI::App& program, int& exit_code);
+void add_tradeoff(CLI::App& program, int& exit_code);
 void add_wave_picture(CLI::App& program, int& exit_code);
 
 }  // namespace cigsim

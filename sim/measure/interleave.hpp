@@ -17,6 +17,7 @@ std::vector<std::size_t> interleaved(std::size_t count, std::size_t rounds, std:
 /// linear between neighbours). All 0 without values.
 struct Spread {
   double median = 0, low = 0, high = 0;
+  friend bool operator==(const Spread&, const Spread&) = default;
 };
 Spread spread(std::vector<double> values);
 

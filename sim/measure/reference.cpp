@@ -3,14 +3,15 @@
 
 namespace cigsim {
 
-NumberType exact_number() { return NumberType::kExact; }
+NumberType exact_number() { return NumberType::kCertified; }
 
 std::vector<ReferencePicture> reference_pictures(const Database& database,
                                                  const std::vector<FrameView>& views,
                                                  const Raster& raster,
-                                                 const std::function<void(double)>& progress) {
+                                                 const std::function<void(double)>& progress,
+                                                 NumberType number) {
   MachineOptions options;
-  options.number = exact_number();
+  options.number = number;
   options.raster = raster;
   options.detail = 0;
   FunctionalMachine machine(database, options);

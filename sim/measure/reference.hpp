@@ -15,10 +15,12 @@ namespace cigsim {
 NumberType exact_number();
 
 /// Exact, of the most detailed descriptions, for each view; whatever the host. `progress`, when
-/// there is one, is told the share that is done. Throws std::invalid_argument as FunctionalMachine.
+/// there is one, is told the share that is done. `number` is exact_number(), or kExact to check
+/// that. Throws std::invalid_argument as FunctionalMachine.
 std::vector<ReferencePicture> reference_pictures(const Database& database,
                                                  const std::vector<FrameView>& views,
                                                  const Raster& raster,
-                                                 const std::function<void(double)>& progress = {});
+                                                 const std::function<void(double)>& progress = {},
+                                                 NumberType number = exact_number());
 
 }  // namespace cigsim

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/measure/setting.hpp"
 
+#include <algorithm>
+
 #include "sim/rtl/library.hpp"
 #include "sim/stats.hpp"
 
@@ -32,6 +34,19 @@ Json setting_json(const Setting& setting) {
           {"machine", words ? Json(m.description.name) : Json()},
           {"overload", words ? Json(name_of(m.overload)) : Json()},
           {"formats", words ? formats_json(m.description.formats) : Json()}};
+}
+
+Setting at_level(const Setting& setting, Level level) {
+  Setting result = setting;
+  result.levels = LevelChoice::parse(std::string(name_of(level)));
+  result.name = name_of(level);
+  return result;
+}
+
+bool has_choices(const Database& database) {
+  return std::any_of(
+      database.systems.begin(), database.systems.end(),
+      [](const PreparedSystem& system) { return !system.hierarchy.choices.empty(); });
 }
 
 std::map<Stage, std::filesystem::path> rtl_libraries(const Setting& setting,

@@ -23,6 +23,13 @@ struct Setting {
 /// null on them, as the machine's name and word formats are elsewhere.
 nlohmann::ordered_json setting_json(const Setting& setting);
 
+/// The same machine with every stage at `level`, or the nearest simpler one that it has; named
+/// after the level.
+Setting at_level(const Setting& setting, Level level);
+
+/// Whether something in the scene has several levels of detail.
+bool has_choices(const Database& database);
+
 /// Of each stage of the setting whose RTL takes part: its library, in the size that the database
 /// needs, built if need be. Throws UsageError as rtl_library().
 std::map<Stage, std::filesystem::path> rtl_libraries(const Setting& setting,

@@ -2,11 +2,11 @@
 #include "sim/measure/trial.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <fstream>
-#include <numeric>
+#include <string_view>
 
 #include "sim/measure/child.hpp"
+#include "sim/measure/digest.hpp"
 #include "sim/stats.hpp"
 #include "sim/systemc_machine.hpp"
 
@@ -37,30 +37,10 @@ class Memory {
   double start_ = private_memory_mib(), most_ = start_;
 };
 
-// FNV-1a, eight bytes at a time.
-class Digest {
- public:
-  void add(const Picture& picture) {
-    add(picture.colours.data(), picture.colours.size() * sizeof picture.colours[0]);
-    add(picture.numbers.data(), picture.numbers.size() * sizeof picture.numbers[0]);
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  void add(const void* data, std::size_t bytes) {
-    const char* at = static_cast<const char*>(data);
-    for (; bytes > 0;) {
-      std::uint64_t word = 0;
-      const std::size_t part = std::min(bytes, sizeof word);
-      std::memcpy(&word, at, part);
-      value_ = (value_ ^ word) * 0x100000001b3u;
-      value_ ^= value_ >> 29;
-      at += part;
-      bytes -= part;
-    }
-  }
-  std::uint64_t value_ = 0xcbf29ce484222325u;
-};
+template <class T>
+std::string_view bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
 
 // What is kept of the pictures of a trial.
 class Pictures {
@@ -68,7 +48,8 @@ class Pictures {
   explicit Pictures(const Workload& work) : work_(work) {}
 
   void add(std::size_t view, const Picture& picture) {
-    digest_.add(picture);
+    digest_.add(bytes_of(picture.colours));
+    digest_.add(bytes_of(picture.numbers));
     if (work_.references != nullptr)
       errors_.push_back(picture_error(picture, (*work_.references)[view]));
   }
