@@ -33,7 +33,7 @@ struct Options {
   std::optional<std::string> scene, out;
   std::vector<std::string> decisions, formats, axes, parts;
   std::uint64_t seed = 1, trials = 20;
-  bool json = false;
+  bool search_envelope = false, json = false;
 };
 
 struct Part {
@@ -41,11 +41,12 @@ struct Part {
   stability::PartResult (*measure)(const stability::PartOptions&);  ///< null: the decisions
 };
 
-constexpr std::string_view kDecisions = "decisions";
+constexpr std::string_view kDecisions = "decisions", kEnvelope = "envelope";
 
 // In the order in which they are told.
 const std::vector<Part>& all_parts() {
   static const std::vector<Part> parts{{kDecisions, nullptr},
+                                       {kEnvelope, stability::envelope_part},
                                        {"flicker", stability::flicker_part},
                                        {"accumulation", stability::accumulation_part},
                                        {"published", stability::published_part}};
@@ -118,9 +119,9 @@ stability::Material material_of(const Options& options, std::string& name) {
 std::vector<Part> parts_of(const Options& options) {
   const bool chosen_decisions =
       options.scene || !options.decisions.empty() || !options.axes.empty();
-  const std::vector<std::string> wanted = options.parts.empty() && chosen_decisions
-                                              ? std::vector<std::string>{std::string(kDecisions)}
-                                              : options.parts;
+  std::vector<std::string> wanted = options.parts;
+  if (wanted.empty() && chosen_decisions) wanted = {std::string(kDecisions)};
+  if (wanted.empty() && options.search_envelope) wanted = {std::string(kEnvelope)};
   return chosen("--part", all_parts(), wanted, [](const Part& part) { return part.name; });
 }
 
@@ -138,7 +139,9 @@ void find_part(const Part& part, const stability::PartOptions& part_options, con
   found.json[result.name] = std::move(result.json);
   if (!found.text.empty()) found.text += "\n";
   found.text += result.text;
-  if (options.out) found.files.push_back(result.draw(*options.out));
+  if (!options.out) return;
+  for (std::filesystem::path& file : result.draw(*options.out))
+    found.files.push_back(std::move(file));
 }
 
 int run(const Options& options) {
@@ -160,7 +163,7 @@ int run(const Options& options) {
       plan.progress = show;
       find_decisions(plan, material, options, found);
     } else {
-      find_part(part, {options.seed, plan.formats, false, show}, options, found);
+      find_part(part, {options.seed, plan.formats, options.search_envelope, show}, options, found);
     }
   }
   if (options.out) {
@@ -178,14 +181,19 @@ int run(const Options& options) {
 
 void add_choices(CLI::App& command, Options& options) {
   command
-      .add_option("--part", options.parts,
-                  "Only this part (may be given several times): decisions; flicker on paths of the "
-                  "smallest steps; accumulation of slopes over thousands of lines; published, the "
-                  "thresholds of Stump's program. Default: all, or the decisions alone with SCENE, "
-                  "--decision or --axis")
+      .add_option(
+          "--part", options.parts,
+          "Only this part (may be given several times): decisions; envelope, the limits within "
+          "which each format is right; flicker on paths of the "
+          "smallest steps; accumulation of slopes over thousands of lines; published, the "
+          "thresholds of Stump's program. Default: all, or the decisions alone with SCENE, "
+          "--decision or --axis")
       ->type_name("NAME")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_flag("--envelope", options.search_envelope,
+                   "Search the envelope anew, in some minutes, instead of telling the one that the "
+                   "program carries; alone, this part only");
   command
       .add_option("--decision", options.decisions,
                   "Only this decision (may be given several times): convexity, hull, sphere, "

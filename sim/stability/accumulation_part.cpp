@@ -88,7 +88,7 @@ PartResult accumulation_part(const PartOptions& options) {
           [results](const std::filesystem::path& folder) {
             const std::filesystem::path file = folder / "accumulation.svg";
             write_plots(plots(results), 2, file);
-            return file;
+            return std::vector{file};
           }};
 }
 

@@ -30,15 +30,15 @@ bool tells_of(SearchAxis axis, Quantity q) {
       return axis == SearchAxis::kLarge;
     case Quantity::kDemand:
       return axis == SearchAxis::kOffset || axis == SearchAxis::kFar;
-    case Quantity::kGrazing:
-      return axis == SearchAxis::kClearance || axis == SearchAxis::kNear;
     case Quantity::kNearness:
+      return axis == SearchAxis::kNear;
+    case Quantity::kCut:
       break;
   }
-  return axis == SearchAxis::kNear;
+  return axis == SearchAxis::kClearance || axis == SearchAxis::kNear;
 }
 
-// What is wrong with the picture of an eyepoint near a plane is the business of `grazing`.
+// What is wrong with the picture of an eyepoint near a plane is the business of `cut`.
 bool is_wrong(const FrameFaults& faults, Quantity q) {
   if (q == Quantity::kClearance) return faults.priorities > 0 || faults.facings > 0;
   return faults.any();
@@ -48,7 +48,7 @@ bool is_wrong(const FrameFaults& faults, Quantity q) {
 int views_at(SearchAxis axis, int views) {
   switch (axis) {
     case SearchAxis::kClearance:
-      return 8 * views;
+      return 16 * views;
     case SearchAxis::kOffset:
     case SearchAxis::kFar:
       return 4 * views;
@@ -176,7 +176,11 @@ class Search {
         const Format& format = options_.formats[f];
         // 13.18 holds no more lines.
         if (format.arithmetic == Arithmetic::kMachine && measures.lines > 8191) continue;
-        evidence_[f].push_back({measures, frame.judge(format), axis, step, view, &worlds_[w].name});
+        // The words of two machines may be the same.
+        std::size_t same = 0;
+        while (!same_numbers(options_.formats[same], format)) ++same;
+        const FrameFaults faults = same < f ? evidence_[same].back().faults : frame.judge(format);
+        evidence_[f].push_back({measures, faults, axis, step, view, &worlds_[w].name});
       }
     }
   }
@@ -205,6 +209,11 @@ std::optional<double> unit_of(const Format& format) {
 
 }  // namespace
 
+bool same_numbers(const Format& a, const Format& b) {
+  return a.arithmetic == b.arithmetic && a.machine.formats == b.machine.formats &&
+         a.machine.hither == b.machine.hither;
+}
+
 const std::array<QuantityName, kQuantities>& quantity_names() {
   static const std::array<QuantityName, kQuantities> names{{
       {Quantity::kLines, "lines", "lines or elements a line of the raster", &Measures::lines,
@@ -218,13 +227,12 @@ const std::array<QuantityName, kQuantities>& quantity_names() {
       {Quantity::kDemand, "demand",
        "elements that the largest coordinate would span at the nearest face's distance",
        &Measures::demand, false},
-      {Quantity::kGrazing, "grazing",
-       "elements that the largest coordinate would span at the distance of the nearest face's "
-       "plane",
-       &Measures::grazing, false},
       {Quantity::kNearness, "nearness",
        "distance of the nearest face, as a share of the largest coordinate", &Measures::nearness,
        true},
+      {Quantity::kCut, "cut",
+       "the same as demand of the nearest face that reaches out of the pyramid of vision",
+       &Measures::cut, false},
   }};
   return names;
 }
@@ -264,16 +272,16 @@ std::optional<double> predicted_limit(const Format& format, Quantity quantity) {
       return std::nullopt;
     case Quantity::kDemand:
       return kEdgeMargin / (4 * *unit);
-    case Quantity::kGrazing:
+    case Quantity::kNearness:
+      if (words) return format.machine.hither * *unit;
+      return std::nullopt;
+    case Quantity::kCut:
       // Cuts are made with quotients.
       if (words)
         return kEdgeMargin /
                (4 * std::max(*unit, std::ldexp(1, -format.machine.formats.quotient_fraction)));
       return format.arithmetic == Arithmetic::kFloat ? std::optional(kEdgeMargin / (4 * *unit))
                                                      : std::nullopt;
-    case Quantity::kNearness:
-      if (words) return format.machine.hither * *unit;
-      return std::nullopt;
   }
   return std::nullopt;
 }

@@ -13,13 +13,11 @@
 // judged in every format, all else staying benign. A limit is one of a quantity (Measures) that the
 // frames themselves have, so that it can be held against any other scene: `demand`, for one, is
 // the elements that the largest coordinate would span at the distance of the nearest face, and so
-// means the same whether offset, raster, field of view or nearness made it large; `grazing` is the
-// same at the distance of the nearest face's plane, near which a face that reaches round the
-// eyepoint is cut by the pyramid of vision. Of `clearance` only decisions count, of all others
-// pictures too. The limit of a
-// quantity is the last value at which every frame was right, before the first one that was wrong; a
-// frame outside of a limit that was found earlier (in the order of Quantity) says nothing of later
-// ones.
+// means the same whether offset, raster, field of view or nearness made it large; `cut` is the
+// same of the nearest face that the pyramid of vision cuts, as it does ground below the eyepoint.
+// Of `clearance` only decisions count, of all others pictures too. The limit of a quantity is the
+// last value at which every frame was right, before the first one that was wrong; a frame outside
+// of a limit that was found earlier (in the order of Quantity) says nothing of later ones.
 #pragma once
 
 #include <array>
@@ -41,8 +39,8 @@ enum class Quantity : std::uint8_t {
   kSmallest,
   kLargest,
   kDemand,
-  kGrazing,
-  kNearness
+  kNearness,
+  kCut
 };
 inline constexpr std::size_t kQuantities = 7;
 
@@ -94,6 +92,9 @@ struct EnvelopeOptions {
 /// float, double, certified, and the words of the presets nasa1968, asupt1975 and unlimited. Exact
 /// numbers are the referee.
 std::vector<Format> searched_formats();
+
+/// Whatever they are called.
+bool same_numbers(const Format& a, const Format& b);
 
 /// In the order of the formats. Deterministic, whatever the host.
 std::vector<Envelope> search_envelope(const EnvelopeOptions& options);

@@ -82,7 +82,7 @@ PartResult flicker_part(const PartOptions& options) {
           [results](const std::filesystem::path& folder) {
             const std::filesystem::path file = folder / "flicker.svg";
             write_heat_maps({map(results)}, 1, file);
-            return file;
+            return std::vector{file};
           }};
 }
 

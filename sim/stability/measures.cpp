@@ -47,22 +47,48 @@ double to_face(const FaceSet& set, const Item& item, const PreparedFace& face, c
   return inside ? std::abs(dot(n, eye - corner(0))) : nearest;
 }
 
-double nearest_face(const std::array<const FaceSet*, 3>& sets, const std::vector<ItemRef>& items,
-                    const Vec3& eye) {
-  const auto item_of = [&](const ItemRef& ref) -> const Item& {
-    return sets[static_cast<std::size_t>(ref.set)]->items[ref.item];
-  };
-  double nearest = kInfinity;  // something of the item is within that
-  for (const ItemRef& ref : items) {
-    const Sphere& sphere = item_of(ref).sphere;
-    nearest = std::min(nearest, length(sphere.centre - eye) + sphere.radius);
+bool reaches_out(const FaceSet& set, const Item& item, const PreparedFace& face,
+                 const ViewTransform& view) {
+  for (std::uint32_t c = 0; c < face.corner_count; ++c) {
+    const Vec3 p =
+        view.rotation *
+        (set.vertices[item.first_vertex + set.corners[face.first_corner + c]] - view.eye);
+    if (std::abs(p.y) * view.focal > p.x * view.raster.width / 2 ||
+        std::abs(p.z) * view.focal > p.x * view.raster.height / 2 || !(p.x > 0))
+      return true;
   }
+  return false;
+}
+
+// Distances of the nearest face, and of the nearest one that reaches out of the pyramid.
+struct Nearest {
+  double face = kInfinity, cut = kInfinity;
+};
+
+Nearest nearest_faces(const std::array<const FaceSet*, 3>& sets, const std::vector<ItemRef>& items,
+                      const ViewTransform& view) {
+  struct Candidate {
+    double bound;  // no point of the item is nearer
+    ItemRef ref;
+  };
+  std::vector<Candidate> candidates;
   for (const ItemRef& ref : items) {
-    const Item& item = item_of(ref);
-    if (length(item.sphere.centre - eye) - item.sphere.radius > nearest) continue;
-    const FaceSet& set = *sets[static_cast<std::size_t>(ref.set)];
-    for (std::uint32_t f = item.first_face; f < item.first_face + item.face_count; ++f)
-      nearest = std::min(nearest, to_face(set, item, set.faces[f], eye));
+    const Sphere& sphere = sets[static_cast<std::size_t>(ref.set)]->items[ref.item].sphere;
+    candidates.push_back({length(sphere.centre - view.eye) - sphere.radius, ref});
+  }
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; });
+  Nearest nearest;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.bound > nearest.cut) break;  // a cut face is a face
+    const FaceSet& set = *sets[static_cast<std::size_t>(candidate.ref.set)];
+    const Item& item = set.items[candidate.ref.item];
+    for (std::uint32_t f = item.first_face; f < item.first_face + item.face_count; ++f) {
+      const double distance = to_face(set, item, set.faces[f], view.eye);
+      nearest.face = std::min(nearest.face, distance);
+      if (distance < nearest.cut && reaches_out(set, item, set.faces[f], view))
+        nearest.cut = distance;
+    }
   }
   return nearest;
 }
@@ -100,7 +126,7 @@ Measures& Measures::operator|=(const Measures& other) {
   largest = std::max(largest, other.largest);
   demand = std::max(demand, other.demand);
   lines = std::max(lines, other.lines);
-  grazing = std::max(grazing, other.grazing);
+  cut = std::max(cut, other.cut);
   nearness = std::min(nearness, other.nearness);
   clearance = std::min(clearance, other.clearance);
   return *this;
@@ -119,12 +145,13 @@ Measures measure(const Database& database, const ActiveEnvironment& active, cons
     m.smallest = std::min(m.smallest, sphere.radius);
     m.largest = std::max(m.largest, largest_of(sphere.centre) + sphere.radius);
   }
-  const double nearest = nearest_face(sets, items, view.eye);
-  m.demand = m.largest / nearest * view.focal;
-  m.nearness = nearest / m.largest;
-  const double plane = nearest_face_plane(sets, items, view.eye);
-  m.grazing = m.largest / plane * view.focal;
-  m.clearance = std::min(plane, nearest_separation(database, active)) / m.largest;
+  const Nearest nearest = nearest_faces(sets, items, view);
+  m.demand = m.largest / nearest.face * view.focal;
+  m.cut = m.largest / nearest.cut * view.focal;
+  m.nearness = nearest.face / m.largest;
+  m.clearance =
+      std::min(nearest_face_plane(sets, items, view.eye), nearest_separation(database, active)) /
+      m.largest;
   return m;
 }
 

@@ -9,12 +9,12 @@
 namespace cigsim::stability {
 
 struct Measures {
-  double smallest = 0;  ///< radius of the smallest item, environment units
-  double largest = 0;   ///< largest coordinate of the items' spheres and the eyepoint, units
-  double demand = 0;    ///< elements that `largest` would span at the distance of what is nearest
-  double lines = 0;     ///< the larger side of the raster, elements
-  double grazing = 0;   ///< elements that it would span at the distance of the nearest face's plane
-  double nearness = 0;  ///< distance of the nearest point of a face, as a share of `largest`
+  double smallest = 0;   ///< radius of the smallest item, environment units
+  double largest = 0;    ///< largest coordinate of the items' spheres and the eyepoint, units
+  double demand = 0;     ///< elements that `largest` would span at the distance of what is nearest
+  double lines = 0;      ///< the larger side of the raster, elements
+  double cut = 0;        ///< the same of the nearest face that reaches out of the pyramid of vision
+  double nearness = 0;   ///< distance of the nearest point of a face, as a share of `largest`
   double clearance = 0;  ///< distance of the eyepoint from the nearest plane, as a share of it
 
   /// The worse of both, field by field.

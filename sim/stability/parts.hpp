@@ -28,9 +28,10 @@ struct PartResult {
   std::string name;             ///< of the key in JSON and of the plots' file
   nlohmann::ordered_json json;  ///< docs/schemas/stability.schema.json has the keys
   std::string text;             ///< a table, its last line ended
-  /// Draws NAME.svg into a folder and returns the file. Throws as write_plots() and
-  /// write_heat_maps() do.
-  std::function<std::filesystem::path(const std::filesystem::path&)> draw;
+  /// Draws NAME.svg into a folder, and of a searched envelope writes envelope.json, the table that
+  /// the program carries. Returns the files. Throws as write_plots(), write_heat_maps() and
+  /// write_file() do.
+  std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> draw;
 };
 
 PartResult envelope_part(const PartOptions& options);

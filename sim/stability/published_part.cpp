@@ -93,7 +93,7 @@ PartResult published_part(const PartOptions& options) {
           [points](const std::filesystem::path& folder) {
             const std::filesystem::path file = folder / "published.svg";
             write_plots(plots(points), 2, file);
-            return file;
+            return std::vector{file};
           }};
 }
 
