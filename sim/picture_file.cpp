@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "models/environment/input_error.hpp"
 #include "models/environment/write.hpp"
 
 namespace cigsim {
@@ -75,6 +76,27 @@ void write_png(const Picture& picture, const std::filesystem::path& file) {
     if (!write_rows(writer.png, writer.info, picture, out))
       throw std::runtime_error(fmt::format("{}: libpng could not write it", file.string()));
   });
+}
+
+std::vector<std::uint32_t> png_colours(std::string_view bytes, int width, int height,
+                                       const std::string& name) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  std::vector<std::uint32_t> colours;
+  bool good = png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) != 0;
+  if (good && image.width == static_cast<png_uint_32>(width) &&
+      image.height == static_cast<png_uint_32>(height)) {
+    image.format = PNG_FORMAT_RGBA;
+    colours.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    good = png_image_finish_read(&image, nullptr, colours.data(), 0, nullptr) != 0;
+  } else {
+    good = false;
+  }
+  png_image_free(&image);
+  if (!good)
+    throw InputError(name, 0,
+                     fmt::format("is no PNG of {} x {} elements; repeat the run", width, height));
+  return colours;
 }
 
 void write_pgm(const Picture& picture, const std::filesystem::path& file) {

@@ -42,10 +42,10 @@ FrameDifference difference_of(const Picture& picture, ReferencePicture reference
   return out;
 }
 
-std::uint64_t count_other(const std::vector<std::uint16_t>& a,
-                          const std::vector<std::uint16_t>& b) {
+std::uint64_t count_other(const Picture& a, const Picture& b) {
   std::uint64_t count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i];
+  for (std::size_t i = 0; i < a.numbers.size(); ++i)
+    count += a.numbers[i] != b.numbers[i] || a.colours[i] != b.colours[i];
   return count;
 }
 
@@ -69,6 +69,17 @@ std::vector<std::uint16_t> read_ids(const std::filesystem::path& file, const Ras
   return ids;
 }
 
+Picture read_picture(const RecordedFrame& frame, const std::filesystem::path& folder,
+                     const Raster& raster) {
+  Picture picture;
+  picture.width = raster.width;
+  picture.height = raster.height;
+  const std::filesystem::path file = folder / frame.picture;
+  picture.colours = png_colours(read_whole_file(file), raster.width, raster.height, file.string());
+  picture.numbers = read_ids(folder / frame.ids, raster);
+  return picture;
+}
+
 Picture difference_picture(const Picture& picture, const Picture& exact) {
   Picture out = picture;
   for (std::size_t i = 0; i < out.colours.size(); ++i) {
@@ -87,7 +98,7 @@ FrameRepeater::FrameRepeater(const RecordedRun& run)
       scene_(load_scene(run.scene_file, run.preparation)),
       machine_(scene_.database, run.machine) {}
 
-RepeatedFrame FrameRepeater::repeat(const RecordedFrame& frame, const std::filesystem::path& ids,
+RepeatedFrame FrameRepeater::repeat(const RecordedFrame& frame, const Picture& recorded,
                                     bool with_difference) {
   const MachineOptions& options = run_.machine;
   machine_.compute(frame.view.viewpoint, frame.view.position);
@@ -101,7 +112,7 @@ RepeatedFrame FrameRepeater::repeat(const RecordedFrame& frame, const std::files
                            words ? options.description.crossing_capacity : 0, options.overload);
   const Picture picture =
       shown_picture(out.faces, out.limits, scene_.database.background, options.raster);
-  out.other_elements = count_other(picture.numbers, read_ids(ids, options.raster));
+  out.other_elements = count_other(picture, recorded);
   if (!with_difference || out.other_elements > 0) return out;
   out.difference = difference_of(
       picture,

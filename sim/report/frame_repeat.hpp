@@ -27,7 +27,7 @@ struct RepeatedFrame {
   FrameFaces faces;
   std::vector<std::uint32_t> crossings;  ///< by line, before any were dropped
   std::vector<LineLimit> limits;         ///< by line
-  std::uint64_t other_elements = 0;      ///< where the faces do not give the recorded object
+  std::uint64_t other_elements = 0;      ///< where the faces do not give what was recorded
   std::optional<FrameDifference> difference;
 };
 
@@ -37,9 +37,8 @@ class FrameRepeater {
   /// InputError or UsageError when that is not possible any more.
   explicit FrameRepeater(const RecordedRun& run);
 
-  /// Computes a frame again; `ids` are the object numbers that the run wrote. Throws InputError.
-  RepeatedFrame repeat(const RecordedFrame& frame, const std::filesystem::path& ids,
-                       bool with_difference);
+  /// Computes a frame again; `recorded` is the picture that the run wrote.
+  RepeatedFrame repeat(const RecordedFrame& frame, const Picture& recorded, bool with_difference);
   const Database& database() const { return scene_.database; }
 
  private:
@@ -51,6 +50,10 @@ class FrameRepeater {
 /// The object numbers of a PGM as the run writes it. Throws InputError when it is another file or
 /// of another size.
 std::vector<std::uint16_t> read_ids(const std::filesystem::path& file, const Raster& raster);
+
+/// Colours and object numbers as the run wrote them into `folder`. Throws InputError.
+Picture read_picture(const RecordedFrame& frame, const std::filesystem::path& folder,
+                     const Raster& raster);
 
 /// Where the two differ: in the object red, in the colour alone orange, else a pale grey of the
 /// picture. Both on one raster.

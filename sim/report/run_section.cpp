@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <exception>
 
-#include "models/environment/input_error.hpp"
 #include "models/environment/text_file.hpp"
 #include "models/machine/description.hpp"
 #include "sim/report/base64.hpp"
@@ -21,13 +20,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostEdges = 200000;  // of all frames of a page: about 8 MB
 constexpr std::size_t kNeighbours = 2;      // pictures on either side that share the machine
-
-std::string png_uri(const std::filesystem::path& file) {
-  const std::string bytes = read_whole_file(file);
-  if (bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0)
-    throw InputError(file.string(), 0, "is no PNG; repeat the run");
-  return data_uri("image/png", bytes);
-}
 
 Json machine_section(const RecordedRun& run) {
   if (run.machine.number != NumberType::kMachine) return nullptr;
@@ -134,24 +126,25 @@ class Section {
   Json frame(std::size_t number) {
     const RecordedFrame& recorded = run_.frames[number];
     Json out{{"frame", number},
-             {"picture", png_uri(folder_ / recorded.picture)},
+             {"picture", data_uri("image/png", read_whole_file(folder_ / recorded.picture))},
              {"figures", recorded.figures},
              {"neighbours", neighbours_of(run_, number)},
              {"difference", nullptr},
              {"crossings", nullptr},
              {"faces", nullptr},
              {"limits", Json::array()}};
-    if (repeater_) add_repeated(number, out);
+    // Read in any case: a picture that is none is no picture of the page either.
+    const Picture picture = read_picture(recorded, folder_, run_.machine.raster);
+    if (repeater_) add_repeated(number, picture, out);
     return out;
   }
 
-  void add_repeated(std::size_t number, Json& out) {
+  void add_repeated(std::size_t number, const Picture& picture, Json& out) {
     const RecordedFrame& recorded = run_.frames[number];
-    const RepeatedFrame frame =
-        repeater_->repeat(recorded, folder_ / recorded.ids, options_.difference);
+    const RepeatedFrame frame = repeater_->repeat(recorded, picture, options_.difference);
     if (frame.other_elements > 0) {
       note(fmt::format(
-          "Frame {} computed again shows other objects at {} elements: the scene or the program is "
+          "Frame {} computed again is another one at {} elements: the scene or the program is "
           "not the one of this run. Its difference picture, crossings by line and priority lists "
           "are left out.",
           number, frame.other_elements));

@@ -42,6 +42,15 @@ TEST_F(PictureFile, PngComesBackElementForElement) {
   }
 }
 
+TEST_F(PictureFile, ColoursOfAPngAreReadBack) {
+  const Picture picture = pattern(7, 3);
+  const std::string bytes = png_bytes(picture);
+  EXPECT_EQ(png_colours(bytes, 7, 3, "a.png"), picture.colours);
+  EXPECT_THROW(png_colours(bytes, 3, 7, "a.png"), InputError);
+  for (std::size_t size = 0; size + 16 < bytes.size(); ++size)  // within the elements at least
+    EXPECT_THROW(png_colours(bytes.substr(0, size), 7, 3, "a.png"), InputError) << size;
+}
+
 TEST_F(PictureFile, PgmHoldsNumbersHighByteFirst) {
   Picture picture = pattern(3, 1);
   picture.numbers = {0, 258, 65535};

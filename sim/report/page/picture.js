@@ -104,7 +104,8 @@ function lens(image, hair) {
     context.drawImage(image, column - around, line - around, size, size, 0, 0, canvas.width,
       canvas.height);
     context.strokeStyle = '#ff2bd6';
-    context.strokeRect(around * scale - .5, around * scale - .5, scale + 1, scale + 1);
+    context.lineWidth = 2;
+    context.strokeRect(around * scale - 1, around * scale - 1, scale + 2, scale + 2);
   };
   hair.listen(() => image.complete ? draw() : image.addEventListener('load', draw, {once: true}));
   return canvas;

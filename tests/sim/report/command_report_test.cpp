@@ -76,18 +76,28 @@ TEST_F(ReportTest, OfEachKindOfRunAgreesWithItsPicture) {
 }
 
 TEST_F(ReportTest, TellsThatTheSceneIsAnotherOne) {
-  ASSERT_EQ(
-      cigsim({"generate", "cubes", "--objects", "9", "--seed", "1", "-o", "s.json"}).exit_code, 0);
+  const auto generate = [&](const char* seed) {
+    return cigsim({"generate", "random", "--objects", "9", "--seed", seed, "-o", "s.json"})
+        .exit_code;
+  };
+  const auto report = [&] {
+    const Outcome outcome = cigsim({"report", "out"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  ASSERT_EQ(generate("1"), 0);
   run({"s.json"});
-  ASSERT_EQ(cigsim({"report", "out"}).exit_code, 0);
-  EXPECT_TRUE(data_of(contents("out/report.html"))["run"]["notes"].empty());
-  ASSERT_EQ(
-      cigsim({"generate", "cubes", "--objects", "9", "--seed", "2", "-o", "s.json"}).exit_code, 0);
-  const Outcome outcome = cigsim({"report", "out"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("not the one of this run"), std::string::npos) << outcome.out;
+  EXPECT_EQ(report().find("Note"), std::string::npos);
+  ASSERT_EQ(generate("2"), 0);
+  EXPECT_NE(report().find("not the one of this run"), std::string::npos);
+  ASSERT_EQ(generate("1"), 0);
+  EXPECT_EQ(report().find("Note"), std::string::npos);
+  Json scene = Json::parse(contents("s.json"));
+  scene["background"] = {1, 2, 3};
+  put("s.json", scene.dump());
+  EXPECT_NE(report().find("not the one of this run"), std::string::npos);
   std::filesystem::remove(folder_ / "s.json");
-  EXPECT_NE(cigsim({"report", "out"}).out.find("cannot be had any more"), std::string::npos);
+  EXPECT_NE(report().find("cannot be had any more"), std::string::npos);
 }
 
 TEST_F(ReportTest, OfExperimentsTakesTheirFiguresAndDrawings) {
@@ -138,7 +148,7 @@ TEST_F(ReportTest, RefusesFiguresThatAreNoRuns) {
   expect_unusable({"report", "out"}, "stats.json");
   put("out/stats.json", good);
   put("out/frame-0000.png", "no picture");
-  expect_unusable({"report", "out"}, "is no PNG");
+  expect_unusable({"report", "out"}, "is no PNG of 48 x 36");
   std::filesystem::remove(folder_ / "out/frame-0000.png");
   expect_unusable({"report", "out"}, "frame-0000.png");
 }

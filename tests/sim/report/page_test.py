@@ -213,7 +213,7 @@ class Pages(unittest.TestCase):
         ActionChains(self.browser).move_to_element(stages[-1]).perform()
         self.assertIn("video processor: cycles", self.one(".readout").text)
         standings = {tag.text for tag in self.all("#machine .tag")}
-        self.assertIn("published", standings)
+        self.assertIn("recalled", standings)
         self.assertIn("reconstruction", standings)
 
     def test_overfull_lines(self):
