@@ -245,6 +245,7 @@ Json stats_json(const RunRecord& run) {
           {"options", options_json(run)},
           {"seed", nullptr},
           {"machine", machine_to_json(run)},
+          {"envelope", run.envelope},
           {"versions", versions_json()},
           {"interrupted", run.interrupted},
           {"ids_saturate", numbers_saturate(*run.database)},

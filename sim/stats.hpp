@@ -40,6 +40,7 @@ struct RunRecord {
   std::optional<std::string> path;
   std::optional<Sun> sun;
   std::optional<double> contact_tolerance;
+  nlohmann::ordered_json envelope = {};  ///< of stability::envelope_verdict_json()
   bool interrupted = false;
   std::vector<FrameRecord> frames;
 };

@@ -14,6 +14,8 @@
 #include "sim/listability.hpp"
 #include "sim/machine_options.hpp"
 #include "sim/scene.hpp"
+#include "sim/stability/envelope_check.hpp"
+#include "sim/stability/envelope_table.hpp"
 #include "sim/stats.hpp"
 #include "sim/timeline_picture.hpp"
 #include "sim/view.hpp"
@@ -136,6 +138,15 @@ void write_timeline(const RunRecord& run, const std::string& file) {
   if (!timings.empty()) write_file(file, timeline_svg(timings, run.machine.description.clock_ns));
 }
 
+// Warns where the scene and its viewpoints are more than the numbers can be relied on for.
+void check_numbers(const std::vector<FrameView>& views, RunRecord& run) {
+  const stability::EnvelopeVerdict verdict = stability::check_envelope(
+      *run.database, run.machine, views, !run.levels.functional(), stability::stored_envelopes());
+  run.envelope = stability::envelope_verdict_json(verdict);
+  if (!verdict.inside())
+    fmt::print(stderr, "cigsim: warning: {}\n", stability::envelope_warning(verdict));
+}
+
 int run_command(const Options& options) {
   if (options.timeline && options.machine.levels.functional())
     throw UsageError("--timeline: the functional level knows no time; add --level timed");
@@ -156,6 +167,7 @@ int run_command(const Options& options) {
   run.path = options.view.path;
   run.sun = options.preparation.sun;
   run.contact_tolerance = options.preparation.contact_tolerance;
+  check_numbers(views, run);
   make_folder(options.out);
   const int signal = run_frames(views, options.out, wave, run);
   if (options.timeline) write_timeline(run, *options.timeline);
