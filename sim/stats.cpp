@@ -247,6 +247,7 @@ Json stats_json(const RunRecord& run) {
           {"machine", machine_to_json(run)},
           {"envelope", run.envelope},
           {"versions", versions_json()},
+          {"budget", run.budget},
           {"interrupted", run.interrupted},
           {"ids_saturate", numbers_saturate(*run.database)},
           {"preparation", report_to_json(run.database->report)},

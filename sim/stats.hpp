@@ -42,6 +42,7 @@ struct RunRecord {
   std::optional<double> contact_tolerance;
   nlohmann::ordered_json envelope = {};  ///< of stability::envelope_verdict_json()
   bool interrupted = false;
+  nlohmann::ordered_json budget;  ///< BudgetOutcome::json; null without --max-error
   std::vector<FrameRecord> frames;
 };
 

@@ -9,10 +9,12 @@
 #include "models/environment/input_error.hpp"
 #include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
+#include "sim/budget/budget_run.hpp"
 #include "sim/commands/commands.hpp"
 #include "sim/frame_run.hpp"
 #include "sim/listability.hpp"
 #include "sim/machine_options.hpp"
+#include "sim/progress.hpp"
 #include "sim/scene.hpp"
 #include "sim/stability/envelope_check.hpp"
 #include "sim/stability/envelope_table.hpp"
@@ -25,6 +27,7 @@ namespace cigsim {
 namespace {
 
 constexpr std::uint64_t kMostRepeats = 1000000;
+constexpr int kBroken = 1;       // exit code: the budget of errors was not kept
 constexpr int kSignalled = 128;  // exit code of a program that a signal ended, less the signal
 
 struct Options {
@@ -35,6 +38,7 @@ struct Options {
   std::size_t repeat = 1;
   std::string out = "out";
   std::optional<std::string> timeline;
+  std::optional<Budget> max_error;
   WaveChoices wave;
   bool json = false;
 };
@@ -138,6 +142,26 @@ void write_timeline(const RunRecord& run, const std::string& file) {
   if (!timings.empty()) write_file(file, timeline_svg(timings, run.machine.description.clock_ns));
 }
 
+// The fastest setting that keeps the budget on these frames takes the place of the knobs.
+BudgetOutcome take_budget(const Options& options, const std::vector<FrameView>& views,
+                          RunRecord& run) {
+  BudgetRequest request{*options.max_error, run.database, views, {}, {}};
+  // Rasters that no machine has are free to all others.
+  MachineChoices choices = options.machine;
+  if (choices.machine || options.max_error->cycles) choices.number = NumberType::kMachine;
+  request.range.words = machine_options(choices, options.view.raster);
+  request.range.words.eye_reach = eye_reach(views);
+  request.range.machine_given = options.machine.machine.has_value();
+  request.range.choices = has_choices(*run.database);
+  Progress progress("calibrating");
+  request.progress = [&](double share) { progress.show(share); };
+  BudgetOutcome outcome = settle_budget(request);
+  run.machine = outcome.chosen.machine;
+  run.levels = outcome.chosen.levels;
+  run.budget = outcome.json;
+  return outcome;
+}
+
 // Warns where the scene and its viewpoints are more than the numbers can be relied on for.
 void check_numbers(const std::vector<FrameView>& views, RunRecord& run) {
   const stability::EnvelopeVerdict verdict = stability::check_envelope(
@@ -167,6 +191,8 @@ int run_command(const Options& options) {
   run.path = options.view.path;
   run.sun = options.preparation.sun;
   run.contact_tolerance = options.preparation.contact_tolerance;
+  std::optional<BudgetOutcome> budget;
+  if (options.max_error) budget = take_budget(options, views, run);
   check_numbers(views, run);
   make_folder(options.out);
   const int signal = run_frames(views, options.out, wave, run);
@@ -177,8 +203,11 @@ int run_command(const Options& options) {
     fmt::print("{}", stats);
   else
     print_summary(run, options.out);
+  if (budget && !options.json)
+    for (const std::string& line : budget->lines) fmt::print("Budget    {}\n", line);
   if (wave && !options.json) fmt::print("{}\n", view_command(*wave));
-  return signal == 0 ? 0 : kSignalled + signal;
+  if (signal != 0) return kSignalled + signal;
+  return !budget || budget->kept ? 0 : kBroken;
 }
 
 void add_output_options(CLI::App& command, Options& o) {
@@ -205,6 +234,24 @@ void add_output_options(CLI::App& command, Options& o) {
   command.add_flag("--json", o.json, "Print stats.json instead of the summary")->group("Output");
 }
 
+// After the options that it replaces.
+void add_budget_option(CLI::App& command, Options& o) {
+  CLI::Option* option =
+      command
+          .add_option_function<std::string>(
+              "--max-error",
+              [&o](const std::string& t) { o.max_error = parse_budget("--max-error", t); },
+              "Instead of levels, numbers and the like: take the fastest setting that keeps this "
+              "budget, as measured on a few frames of the run, and check it on others. elements: "
+              "share of a frame that shows another object; cycles: share by which a frame's delay "
+              "differs from the RTL's; colour: mean difference. none: the fastest; 0: proved exact")
+          ->type_name("none|0|elements=S,cycles=S,colour=S")
+          ->group("Machine");
+  for (const char* knob : {"--level", "--number", "--priority", "--resolver", "--detail",
+                           "--retrieval", "--coherence", "--timeline", "--wave"})
+    option->excludes(command.get_option(knob));
+}
+
 }  // namespace
 
 void add_run(CLI::App& program, int& exit_code) {
@@ -217,13 +264,15 @@ void add_run(CLI::App& program, int& exit_code) {
       "  cigsim run                                      the built-in airfield\n"
       "  cigsim run --path builtin --frames 100          an approach to it\n"
       "  cigsim run city.obj --eye -50,-300,80 --look-at 0,0,0 --raster 640x480\n"
-      "  cigsim run --number exact --repeat 5 --out exact\n");
+      "  cigsim run --number exact --repeat 5 --out exact\n"
+      "  cigsim run --path builtin --max-error elements=0.1%     as fast as that allows\n");
   add_scene_option(*command, options->scene);
   add_view_options(*command, options->view);
   add_preparation_options(*command, options->preparation);
   add_machine_options(*command, options->machine);
   add_output_options(*command, *options);
   add_wave_options(*command, options->wave);
+  add_budget_option(*command, *options);
   command->callback([options, &exit_code] { exit_code = run_command(*options); });
 }
 
