@@ -3,6 +3,8 @@
 
 const kOpenRows = 60;    // a longer table waits until it is opened
 const kInlineValues = 8;  // a longer list of values too
+const kLongWords = 30;    // they get a wide column
+const kAside = ['versions', 'host'];
 
 const isScalar = value => value === null || typeof value !== 'object';
 const isRecord = value => !isScalar(value) && !Array.isArray(value);
@@ -13,12 +15,16 @@ function cell(value, numeric = false, name = 'td') {
   if (typeof value === 'number') return h(name, {...style, title: String(value)}, number(value));
   if (typeof value === 'boolean') return h(name, style, value ? 'yes' : 'no');
   if (value instanceof Node) return h(name, style, value);
+  if (typeof value === 'string' && value.length > kLongWords) style.class = 'words';
   return h(name, style, value === null || value === undefined ? '–' : String(value));
 }
 
 /** Rows [{column: value}] under the names of their columns. */
 function recordTable(rows, label) {
-  const columns = [...new Set(rows.flatMap(row => Object.keys(row)))];
+  const all = [...new Set(rows.flatMap(row => Object.keys(row)))];
+  // A record that is missing in some rows leaves an empty column of its own name behind.
+  const columns = all.filter(name => !all.some(other => other.startsWith(name + ' ')) ||
+    rows.some(row => row[name] !== null && row[name] !== undefined));
   const numeric = new Set(columns.filter(name =>
     rows.some(row => typeof row[name] === 'number')));
   return scrolling(label, h('table', {},
@@ -71,6 +77,12 @@ const isLong = value => Array.isArray(value) &&
   (value.length > kInlineValues || !value.every(isScalar));
 const values = value => isRecord(value) ? Object.values(value).flatMap(values) : [value];
 
+/** What of a record fits into a row. */
+function withoutLong(record) {
+  return Object.fromEntries(Object.entries(record).filter(([, value]) => !isLong(value)).map(
+    ([key, value]) => [key, isRecord(value) ? withoutLong(value) : value]));
+}
+
 /** A record without long lists within. */
 const isRow = value => isRecord(value) && !values(value).some(isLong);
 
@@ -83,9 +95,12 @@ function nameOf(record, i) {
 function listView(list, label) {
   if (list.length === 0) return h('p', {}, 'none');
   if (list.every(isRow)) return recordTable(list.map(row => flat(row)), label);
-  if (list.every(isRecord))
-    return h('div', {class: 'data'}, list.map((record, i) =>
-      folded(nameOf(record, i), () => dataView(record, nameOf(record, i)))));
+  if (list.every(isRecord)) {
+    const rows = list.map(record => flat(withoutLong(record)));
+    return h('div', {class: 'data'},
+      rows.some(row => Object.keys(row).length > 1) ? recordTable(rows, label) : null,
+      list.map((record, i) => folded(words(nameOf(record, i)), () => dataView(record))));
+  }
   if (list.every(isScalar))
     return h('p', {class: 'values'}, list.map(value => number(value)).join(', '));
   return recordTable(list.map((row, i) => {
@@ -96,6 +111,10 @@ function listView(list, label) {
     return values;
   }), label);
 }
+
+/** What says where figures were made comes after the figures. */
+const inOrder = entries => [...entries.filter(([key]) => !kAside.includes(key)),
+  ...entries.filter(([key]) => kAside.includes(key))];
 
 /** Anything. */
 function dataView(value, label = 'Figures') {
@@ -111,10 +130,10 @@ function dataView(value, label = 'Figures') {
     else rest.push([key, entry]);
   }
   return h('div', {class: 'data'}, pairs.length > 0 ? pairTable(pairs, label) : null,
-    rest.map(([key, entry]) => {
+    inOrder(rest).map(([key, entry]) => {
       const size = Array.isArray(entry) ? ` (${number(entry.length)})` : '';
       const open = Array.isArray(entry) ? entry.length <= kOpenRows && entry.some(isRecord) :
-        values(entry).length <= kOpenRows;
+        values(entry).length <= kOpenRows && !kAside.includes(key);
       return folded(words(key) + size, () => dataView(entry, words(key)), open);
     }));
 }
