@@ -21,9 +21,25 @@ Vec3 direction(const Vec3& v) {
   return scaled * (1 / length(scaled));
 }
 
-double height(const Plane& plane, const Vec3& eye) {
+// An eyepoint level with a plane across an axis, at a coordinate of so few bits beside the largest
+// one that every format holds it: equal coordinates stay equal, and no rounding parts the two.
+bool level_with(const Plane& plane, const Vec3& eye, double largest) {
+  constexpr int kBits = 20;
+  if (!(largest > 0)) return false;
+  const Vec3 &n = plane.normal, &p = plane.exact.p;
+  const auto held = [&](double a, double b) {
+    const double whole = std::ldexp(a, kBits - std::ilogb(largest));
+    return a == b && whole == std::floor(whole);
+  };
+  if (n.y == 0 && n.z == 0) return held(p.x, eye.x);
+  if (n.x == 0 && n.z == 0) return held(p.y, eye.y);
+  return n.x == 0 && n.y == 0 && held(p.z, eye.z);
+}
+
+double height(const Plane& plane, const Vec3& eye, double largest) {
   const Vec3 n = direction(plane.normal);
-  return n == Vec3{} ? kInfinity : std::abs(dot(n, eye - plane.exact.p));
+  if (n == Vec3{} || level_with(plane, eye, largest)) return kInfinity;
+  return std::abs(dot(n, eye - plane.exact.p));
 }
 
 double to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -93,7 +109,8 @@ Nearest nearest_faces(const std::array<const FaceSet*, 3>& sets, const std::vect
   return nearest;
 }
 
-double nearest_separation(const Database& database, const ActiveEnvironment& active) {
+double nearest_separation(const Database& database, const ActiveEnvironment& active,
+                          double largest) {
   const PriorityHierarchy& hierarchy = database.systems[0].hierarchy;
   double least = kInfinity;
   for (const ActiveGroup& in_view : active.groups) {
@@ -101,20 +118,20 @@ double nearest_separation(const Database& database, const ActiveEnvironment& act
     for (std::uint32_t n = group.first_node; n < group.first_node + group.node_count; ++n) {
       const SeparationNode& node = hierarchy.nodes[n];
       if ((node.true_members & in_view.active) && (node.false_members & in_view.active))
-        least = std::min(least, height(hierarchy.planes[node.plane], active.view.eye));
+        least = std::min(least, height(hierarchy.planes[node.plane], active.view.eye, largest));
     }
   }
   return least;
 }
 
 double nearest_face_plane(const std::array<const FaceSet*, 3>& sets,
-                          const std::vector<ItemRef>& items, const Vec3& eye) {
+                          const std::vector<ItemRef>& items, const Vec3& eye, double largest) {
   double least = kInfinity;
   for (const ItemRef& ref : items) {
     const FaceSet& set = *sets[static_cast<std::size_t>(ref.set)];
     const Item& item = set.items[ref.item];
     for (std::uint32_t f = item.first_face; f < item.first_face + item.face_count; ++f)
-      least = std::min(least, height(set.planes[set.faces[f].plane], eye));
+      least = std::min(least, height(set.planes[set.faces[f].plane], eye, largest));
   }
   return least;
 }
@@ -149,9 +166,9 @@ Measures measure(const Database& database, const ActiveEnvironment& active, cons
   m.demand = m.largest / nearest.face * view.focal;
   m.cut = m.largest / nearest.cut * view.focal;
   m.nearness = nearest.face / m.largest;
-  m.clearance =
-      std::min(nearest_face_plane(sets, items, view.eye), nearest_separation(database, active)) /
-      m.largest;
+  m.clearance = std::min(nearest_face_plane(sets, items, view.eye, m.largest),
+                         nearest_separation(database, active, m.largest)) /
+                m.largest;
   return m;
 }
 

@@ -23,7 +23,9 @@ struct Measures {
 
 /// Of a frame: of what retrieval finds in view, as the frame calculator's result has it. Planes are
 /// the separation planes that have active members on both sides, and those of all faces of `items`.
-/// With nothing in view only `lines` and `largest` are told; the rest is what asks least.
+/// Planes across an axis in which the eyepoint lies at a coordinate that every format holds do not
+/// count: there nothing is rounded. With nothing in view only `lines` and `largest` are told; the
+/// rest is what asks least.
 Measures measure(const Database& database, const ActiveEnvironment& active, const FaceSet& moving,
                  const std::vector<ItemRef>& items);
 

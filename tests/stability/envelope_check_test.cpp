@@ -87,16 +87,30 @@ TEST(EnvelopeCheck, AScaleAtWhichWordsOfAnOldMachineFail) {
   EXPECT_NE(envelope_warning(words).find("--level functional"), std::string::npos);
 }
 
-TEST(EnvelopeCheck, AnEyepointInAPlaneIsTooMuchForFloat) {
-  const Database database = prepare(generate_environment("cubes", {8, 1}));
-  Viewpoint viewpoint =
-      database.view.eye == Placement{} ? Viewpoint{} : Viewpoint{database.view.eye, 60};
-  const Vec3 corner = database.systems[0].set.vertices[0];
-  viewpoint.eye.position.x = corner.x;
+TEST(EnvelopeCheck, AnEyepointInASlantedPlaneIsTooMuchForFloat) {
+  const Database database = prepare(search_worlds(1, false)[0].environment);
+  const FaceSet& set = database.systems[0].set;
+  const PreparedFace& face = set.faces[0];
+  const auto corner = [&](std::uint32_t c) {
+    return set.vertices[set.items[0].first_vertex + set.corners[face.first_corner + c]];
+  };
+  // On an edge of the face, prolonged.
+  const Vec3 eye = corner(0) + (corner(1) - corner(0)) * 7;
+  const Viewpoint viewpoint{look_at(eye, corner(0)), 60};
   const EnvelopeVerdict verdict = check(database, kFloat, viewpoint, {64, 64});
   ASSERT_FALSE(verdict.inside());
   EXPECT_EQ(verdict.excesses[0].quantity, Quantity::kClearance);
   EXPECT_TRUE(check(database, kDouble, viewpoint, {64, 64}).inside());
+}
+
+TEST(EnvelopeCheck, AnEyepointLevelWithARoofIsNot) {
+  const Database database = prepare(generate_environment("cubes", {8, 1}));
+  const Viewpoint viewpoint{look_at({0.5, -7, 1}, {0.5, 0, 0.5}), 60};
+  for (const Format& format : searched_formats()) {
+    const EnvelopeVerdict verdict = check(database, format, viewpoint, {64, 64});
+    EXPECT_TRUE(verdict.inside()) << envelope_warning(verdict);
+    EXPECT_FALSE(ExactFrame(database, viewpoint, {64, 64}).judge(format).any()) << format.name;
+  }
 }
 
 TEST(EnvelopeCheck, OtherWordsTakeTheWidestRowThatIsNowhereWider) {
