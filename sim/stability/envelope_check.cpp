@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostFaces = 4'000'000;  // looked at in all frames together
+// Frames that are looked at, and faces in all of them together.
+constexpr std::size_t kMostFrames = 10'000, kMostFaces = 4'000'000;
 
 bool nowhere_wider(const MachineDescription& row, const MachineDescription& machine) {
   const WordFormats &a = row.formats, &b = machine.formats;
@@ -89,8 +90,8 @@ std::vector<Measured> measure_frames(const Database& database, const MachineOpti
     std::size_t faces = database.ground.faces.size() + moving.faces.size();
     for (const ItemRef& ref : list.items)
       if (ref.set == SetId::kStatic) faces += database.systems[0].set.items[ref.item].face_count;
-    const std::size_t frames =
-        std::max<std::size_t>(1, kMostFaces / std::max<std::size_t>(1, faces));
+    const std::size_t most = kMostFaces / std::max<std::size_t>(1, faces);
+    const std::size_t frames = std::clamp<std::size_t>(most, 1, kMostFrames);
     stride = std::max<std::size_t>(1, (views.size() + frames - 1) / frames);
   }
   return out;
