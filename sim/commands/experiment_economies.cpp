@@ -177,7 +177,7 @@ void add_work_options(CLI::App& command, Options& o) {
   command.add_flag("--rtl", o.rtl,
                    "Also build the SO engine in RTL, sized to each scene and of 256 x 256: about a "
                    "minute and a half a scene");
-  command.add_flag("--quick", o.quick, "Few small frames: a look, no more");
+  command.add_flag("--quick", o.quick, "Few small frames: a quick look");
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ void add_experiment_growth(CLI::App& experiment, int& exit_code) {
       "Exponents are fitted through the four largest sizes. Exit code 1 when what is counted, not\n"
       "timed, does not grow as expected, or objects out of view change the picture.\n"
       "\nExamples:\n"
-      "  cigsim experiment growth --out growth            up to a million objects: some minutes, 8 "
+      "  cigsim experiment growth --out growth            up to a million objects: some minutes, 5 "
       "GiB\n"
       "  cigsim experiment growth --objects 100000\n"
       "  cigsim experiment growth --quick\n");
@@ -99,8 +99,7 @@ void add_experiment_growth(CLI::App& experiment, int& exit_code) {
           },
           "Most objects out of view; those in view end at a tenth. Default: 1000000")
       ->type_name("N");
-  command->add_flag("--quick", options->growth.quick,
-                    "Small sizes and few rounds: a look, no more");
+  command->add_flag("--quick", options->growth.quick, "Small sizes and few rounds: a quick look");
   add_seed_option(*command, options->growth.seed);
   command
       ->add_option("--out", options->out,
