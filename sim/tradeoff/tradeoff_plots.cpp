@@ -17,15 +17,23 @@ std::vector<const TradeoffPoint*> measured_points(const Tradeoff& t) {
   return points;
 }
 
-std::vector<std::string> knobs(const Tradeoff& t) {
+// What the marks of a point say: few enough kinds to tell their colours apart.
+std::string kind_of(const TradeoffPoint& point) {
+  if (point.knob == "default") return "number";
+  for (const char* method : {"priority", "resolver", "retrieval", "coherence"})
+    if (point.knob == method) return "method";
+  return point.knob;
+}
+
+std::vector<std::string> kinds(const Tradeoff& t) {
   std::vector<std::string> names;
   for (const TradeoffPoint& point : t.points)
-    if (std::find(names.begin(), names.end(), point.knob) == names.end())
-      names.push_back(point.knob);
+    if (std::find(names.begin(), names.end(), kind_of(point)) == names.end())
+      names.push_back(kind_of(point));
   return names;
 }
 
-// Time against an error, a kind of mark a knob, and the front of the two.
+// Time against an error.
 template <class ErrorOf>
 Plot cost_plot(const Tradeoff& t, const char* title, const char* y_label, ErrorOf error_of) {
   Plot plot;
@@ -36,12 +44,12 @@ Plot cost_plot(const Tradeoff& t, const char* title, const char* y_label, ErrorO
   const auto at = [&](const TradeoffPoint& p) {
     return Vec2{p.measured.frame_ms.median, kPercent * error_of(p.measured.error())};
   };
-  for (const std::string& knob : knobs(t)) {
+  for (const std::string& kind : kinds(t)) {
     Curve curve;
-    curve.label = knob;
+    curve.label = kind;
     curve.style = CurveStyle::kMarks;
     for (const TradeoffPoint* point : measured_points(t))
-      if (point->knob == knob) curve.points.push_back(at(*point));
+      if (kind_of(*point) == kind) curve.points.push_back(at(*point));
     plot.curves.push_back(std::move(curve));
   }
   return plot;
@@ -105,9 +113,11 @@ Plot memory_plot(const Tradeoff& t) {
     curve.label = knob;
     curve.style = CurveStyle::kMarks;
     for (const TradeoffPoint* p : measured_points(t)) {
-      if (p->knob != knob) continue;
+      // Names of whole machines; those of mixes would cover each other.
+      const std::string& name = p->measured.setting.name;
+      if (kind_of(*p) != knob || name.find('=') != std::string::npos) continue;
       curve.points.push_back({p->measured.frame_ms.median, p->measured.memory_mib.median});
-      curve.names.push_back(p->measured.setting.name);
+      curve.names.push_back(name);
     }
     plot.curves.push_back(std::move(curve));
   }
