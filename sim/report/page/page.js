@@ -37,6 +37,20 @@ function machineSection(machine) {
     recordTable(rows, 'Figures of the machine'));
 }
 
+/** Whether the run's numbers were within what they take without a wrong decision. */
+function envelopeSection(envelope) {
+  if (!envelope) return null;
+  const outside = envelope.known && !envelope.inside;
+  return section('envelope', 'Envelope', outside ? notesView([`Scene or viewpoints lie outside ` +
+    `what ${envelope.format} numbers take without a wrong decision` +
+    (envelope.will_do ? `; ${envelope.will_do} will do.` : '.')]) : null,
+  dataView(envelope, 'Envelope'));
+}
+
+function budgetSection(budget) {
+  return budget ? section('budget', 'Error budget', dataView(budget, 'Error budget')) : null;
+}
+
 function settingsSection(run) {
   const {level, options, seed, versions, interrupted, ids_saturate: saturate} = run;
   return section('settings', 'Options and versions', h('div', {class: 'columns'},
@@ -58,8 +72,8 @@ function runSections(run) {
   frames = frameSection(run, state, frame => all.draw(frame));
   frames.draw();
   return [...notesView(run.notes), frames.node, run.table.length > 1 ? all.node : null,
-    machineSection(run.machine), settingsSection(run),
-    section('preparation', 'Preparation', dataView(run.preparation, 'Preparation'))];
+    budgetSection(run.budget), envelopeSection(run.envelope), machineSection(run.machine),
+    settingsSection(run), section('preparation', 'Preparation', dataView(run.preparation, 'Preparation'))];
 }
 
 function drawingView({file, uri}) {
