@@ -24,6 +24,11 @@ constexpr double kMostReferences = 1u << 30;  // bytes that right pictures may t
 constexpr double kReferenceBytes = 10;        // an element: colour, number, distance
 constexpr double kSampleShare = 0.7;          // of the work, about
 
+// "1 frame", "2 frames".
+std::string frames_text(std::size_t count) {
+  return fmt::format("{} frame{}", count, count == 1 ? "" : "s");
+}
+
 // A frame that was held back.
 struct Checked {
   std::size_t frame = 0;
@@ -183,10 +188,10 @@ class Calibration {
       return one.measured && keeps(request_.budget, one.worst);
     });
     std::string text = fmt::format(
-        "{}: {:.3f} ms a frame, the fastest of the {} of {} settings that keep {} on {} sampled "
-        "frames (worst: {})",
+        "{}: {:.3f} ms a frame, the fastest of the {} of {} settings that keep {} on {} that "
+        "were sampled (worst: {})",
         e.name, e.frame_ms.median, keeping, evidence.size(), request_.budget.text,
-        sample_.sampled.size(), errors_text(request_.budget, e.worst));
+        frames_text(sample_.sampled.size()), errors_text(request_.budget, e.worst));
     if (const auto next = second(request_.budget, evidence, chosen))
       text += fmt::format("; next is {} with {:.3f} ms", evidence[*next].name,
                           evidence[*next].frame_ms.median);
@@ -209,14 +214,15 @@ class Calibration {
           return x < y || (x == y && a.errors.elements < b.errors.elements);
         });
     if (broken == 0)
-      out.push_back(fmt::format("kept on {} frames held back (worst: frame {}, {})", checked.size(),
-                                worst.frame, errors_text(request_.budget, worst.errors)));
+      out.push_back(fmt::format("kept on {} held back (worst: frame {}, {})",
+                                frames_text(checked.size()), worst.frame,
+                                errors_text(request_.budget, worst.errors)));
     else
       out.push_back(fmt::format(
-          "BROKEN on {} of {} frames held back (worst: frame {}, {}, up to {:.1f} elements from an "
+          "BROKEN on {} of {} held back (worst: frame {}, {}, up to {:.1f} elements from an "
           "edge)",
-          broken, checked.size(), worst.frame, errors_text(request_.budget, worst.errors),
-          worst.distance));
+          broken, frames_text(checked.size()), worst.frame,
+          errors_text(request_.budget, worst.errors), worst.distance));
     return out;
   }
 

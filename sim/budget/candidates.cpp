@@ -19,7 +19,7 @@ class Candidates {
       return std::move(settings_);
     }
     const std::vector<double> scales =
-        range_.choices ? std::vector<double>{1, 0, 2, 4} : std::vector<double>{1};
+        range_.choices ? std::vector<double>{1, 0, 0.5, 2, 4} : std::vector<double>{1};
     if (range_.machine_given)
       for (const double scale : scales) add_words(Level::kFunctional, scale);
     else

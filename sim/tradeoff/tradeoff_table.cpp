@@ -35,8 +35,9 @@ std::string tradeoff_table(const Tradeoff& t) {
   for (const TradeoffPoint& point : t.points)
     names = std::max(names, point.measured.setting.name.size() + 1);
   std::string table = fmt::format(
-      "Trade-off {}: {} frames at {} x {}, {} rounds in random order (seed {})\n", t.scene,
-      t.frames, t.range.raster.width, t.range.raster.height, t.options.rounds, t.options.seed);
+      "Trade-off {}: {} frame{} at {} x {}, {} round{} in random order (seed {})\n", t.scene,
+      t.frames, t.frames == 1 ? "" : "s", t.range.raster.width, t.range.raster.height,
+      t.options.rounds, t.options.rounds == 1 ? "" : "s", t.options.seed);
   table += "Errors    beside exact pictures of the most detailed descriptions";
   if (t.referee)
     table += fmt::format("; cycles beside {} of machine {}",
