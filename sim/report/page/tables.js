@@ -3,7 +3,7 @@
 
 const kOpenRows = 60;    // a longer table waits until it is opened
 const kInlineValues = 8;  // a longer list of values too
-const kLongWords = 30;    // they get a wide column
+const kLongWords = 16;    // they get a wide column
 const kAside = ['versions', 'host'];
 
 const isScalar = value => value === null || typeof value !== 'object';
