@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // cigsim tradeoff as a process of its own.
+#include <fmt/format.h>
+
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "tests/sim/process.hpp"
@@ -16,15 +19,12 @@ std::string far_boxes() {
   for (const double x : {20'000'000.0, 20'000'003.0}) {
     obj += "o box\n";
     for (int corner = 0; corner < 8; ++corner)
-      obj += "v " + std::to_string(x + (corner & 1)) + " " +
-             std::to_string(20'000'000.0 + 2 * (corner >> 1 & 1)) + " " +
-             std::to_string(2 * (corner >> 2)) + "\n";
-    for (const auto& face : {"0 2 3 1", "4 5 7 6", "0 1 5 4", "2 6 7 3", "0 4 6 2", "1 3 7 5"}) {
-      obj += "f";
-      for (const char* at = face; *at != '\0'; ++at)
-        if (*at != ' ') obj += " " + std::to_string(first + (*at - '0'));
-      obj += "\n";
-    }
+      obj += fmt::format("v {} {} {}\n", x + (corner & 1), 20'000'000.0 + 2 * (corner >> 1 & 1),
+                         2 * (corner >> 2));
+    constexpr std::array<std::array<int, 4>, 6> kFaces{
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    for (const auto& f : kFaces)
+      obj += fmt::format("f {} {} {} {}\n", first + f[0], first + f[1], first + f[2], first + f[3]);
     first += 8;
   }
   return obj;
