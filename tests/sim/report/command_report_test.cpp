@@ -61,6 +61,7 @@ TEST_F(ReportTest, IsTheSameEachTime) {
 TEST_F(ReportTest, OfEachKindOfRunAgreesWithItsPicture) {
   const std::vector<std::vector<std::string>> kinds = {
       {"--number", "float"},
+      {"--number", "certified", "--retrieval", "off", "--coherence", "off"},
       {"--number", "exact", "--priority", "so", "--resolver", "active-list"},
       {"--detail", "most", "--sun", "100,20", "--contact-tolerance", "0"},
       {"--machine", "nasa1968", "--overload", "cut"},
@@ -73,6 +74,26 @@ TEST_F(ReportTest, OfEachKindOfRunAgreesWithItsPicture) {
     EXPECT_TRUE(run_data["shown"][0]["difference"].is_null());
     EXPECT_EQ(run_data["machine"].is_null(), kind[0] != "--machine");
   }
+}
+
+// The functional level, which computes the frame again, knows no deadline.
+TEST_F(ReportTest, AgreesWithAPictureWhoseFacesADeadlineDropped) {
+  Json machine = Json::parse(cigsim({"machines", "asupt1975", "--json"}).out);
+  machine["figures"]["frame_cycles"]["value"] = 60000;
+  machine["figures"]["line_cycles"]["value"] = 0;
+  put("short.json", machine.dump());
+  run({"--machine", "short.json", "--level", "timed", "--path", "builtin", "--frames", "3"});
+  ASSERT_EQ(cigsim({"report", "out"}).exit_code, 0);
+  const Json data = data_of(contents("out/report.html"))["run"];
+  EXPECT_TRUE(data["notes"].empty()) << data["notes"];
+  std::size_t dropped = 0, wrong = 0;
+  for (const Json& frame : data["shown"]) {
+    dropped += frame["figures"]["overload"]["dropped_faces"].get<std::size_t>();
+    wrong += frame["difference"]["wrong"].get<std::size_t>();
+    EXPECT_EQ(frame["faces"].size(), frame["figures"]["faces"]);
+  }
+  EXPECT_GT(dropped, 0u);
+  EXPECT_GT(wrong, 0u);
 }
 
 TEST_F(ReportTest, TellsThatTheSceneIsAnotherOne) {

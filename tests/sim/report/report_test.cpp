@@ -185,8 +185,8 @@ TEST_P(ShownFaces, AreThoseOfThePictureByThePagesRule) {
 INSTANTIATE_TEST_SUITE_P(
     Numbers, ShownFaces,
     testing::Values(Case{"float", NumberType::kFloat}, Case{"double", NumberType::kDouble},
-                    Case{"exact", NumberType::kExact}, Case{"machine", NumberType::kMachine},
-                    Case{"drop", NumberType::kMachine, 14},
+                    Case{"certified", NumberType::kCertified}, Case{"exact", NumberType::kExact},
+                    Case{"machine", NumberType::kMachine}, Case{"drop", NumberType::kMachine, 14},
                     Case{"cut", NumberType::kMachine, 14, OverloadPolicy::kCut}),
     [](const auto& info) { return std::string(info.param.name); });
 
