@@ -24,7 +24,9 @@ def skip(why):
     sys.exit(SKIPPED)
 
 
-CIGSIM = sys.argv[1] if len(sys.argv) > 1 else skip("the command is not named")
+if len(sys.argv) != 2:
+    sys.exit(__doc__)
+CIGSIM = pathlib.Path(sys.argv[1]).resolve()
 CHROMIUM = shutil.which("chromium") or skip("chromium is missing (Debian package chromium)")
 DRIVER = shutil.which("chromedriver") or skip("chromedriver is missing (chromium-driver)")
 try:
