@@ -9,20 +9,28 @@
 
 namespace cigsim {
 
+/// What turns the environment into the viewpoint system, of a view.
+struct ExactAxes {
+  ExactAxes() = default;
+  explicit ExactAxes(const ViewTransform& view)
+      : rotation(convert<Dyadic>(view.rotation)), eye(convert<Dyadic>(view.eye)) {}
+
+  Mat3T<Dyadic> rotation;
+  Vec3T<Dyadic> eye;
+};
+
 /// The vertex in the viewpoint system, all coordinates times one positive number (which is 1 but
 /// for vertices of cuts): its direction is exact.
 inline Vec3T<Dyadic> exact_direction(const FaceSet& set, std::uint32_t vertex,
-                                     const ViewTransform& view) {
-  const Mat3T<Dyadic> rotation = convert<Dyadic>(view.rotation);
-  const Vec3T<Dyadic> eye = convert<Dyadic>(view.eye);
+                                     const ExactAxes& axes) {
   const ExactVec* cut = set.exact(vertex);
-  if (cut == nullptr) return rotation * (convert<Dyadic>(set.vertices[vertex]) - eye);
+  if (cut == nullptr) return axes.rotation * (convert<Dyadic>(set.vertices[vertex]) - axes.eye);
   const mpz_class scale = lcm(lcm(cut->x.get_den(), cut->y.get_den()), mpz_class(cut->z.get_den()));
   const auto scaled = [&](const Exact& value) {
     return Dyadic(mpz_class(value.get_num() * (scale / value.get_den())));
   };
   const Vec3T<Dyadic> at{scaled(cut->x), scaled(cut->y), scaled(cut->z)};
-  return rotation * (at - eye * Dyadic(scale));
+  return axes.rotation * (at - axes.eye * Dyadic(scale));
 }
 
 }  // namespace cigsim

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 
-#include "models/boundary/exact_direction.hpp"
-
 namespace cigsim::edge_orderer {
 
-ExactLine::ExactLine(const EdgeList<Certified>& list, const Edge<Certified>& edge)
+ExactLine::ExactLine(const EdgeList<Certified>& list, const ExactAxes& axes,
+                     const Edge<Certified>& edge)
     : first_line_(edge.first_line) {
   if (edge.from != kNone) {
-    through_vertices(list, edge);
+    through_vertices(list, axes, edge);
     return;
   }
   const Edge<Exact>& exact = list.exact[edge.to];
@@ -23,11 +22,12 @@ ExactLine::ExactLine(const EdgeList<Certified>& list, const Edge<Certified>& edg
 // direction (focal, x - width/2, height/2 - y), lies in the plane of the eyepoint and the edge
 // where n_u focal + n_v (x - width/2) + n_w (height/2 - y) = 0. The edge is not level, so n_v is
 // not 0.
-void ExactLine::through_vertices(const EdgeList<Certified>& list, const Edge<Certified>& edge) {
+void ExactLine::through_vertices(const EdgeList<Certified>& list, const ExactAxes& axes,
+                                 const Edge<Certified>& edge) {
   const FaceSet& set = *list.sets[static_cast<std::size_t>(edge.set)];
   const ViewTransform& view = list.view;
   const Vec3T<Dyadic> n =
-      cross(exact_direction(set, edge.from, view), exact_direction(set, edge.to, view));
+      cross(exact_direction(set, edge.from, axes), exact_direction(set, edge.to, axes));
   const Dyadic start = n.y * Dyadic((view.raster.width - 1) / 2.0) +
                        n.z * Dyadic(edge.first_line + 0.5 - view.raster.height / 2.0) -
                        n.x * Dyadic(view.focal);

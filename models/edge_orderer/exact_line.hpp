@@ -6,13 +6,15 @@
 #include <cstdint>
 
 #include "models/boundary/certified_edges.hpp"
+#include "models/boundary/exact_direction.hpp"
 
 namespace cigsim::edge_orderer {
 
 class ExactLine {
  public:
   ExactLine() = default;
-  ExactLine(const EdgeList<Certified>& list, const Edge<Certified>& edge);
+  /// `axes`: of the list's view.
+  ExactLine(const EdgeList<Certified>& list, const ExactAxes& axes, const Edge<Certified>& edge);
 
   /// The first element at or right of the edge on a line that it covers, clamped to 0..width.
   std::int32_t element(int line, int width) const;
@@ -20,7 +22,8 @@ class ExactLine {
   bool upright() const { return sgn(step_) == 0; }
 
  private:
-  void through_vertices(const EdgeList<Certified>& list, const Edge<Certified>& edge);
+  void through_vertices(const EdgeList<Certified>& list, const ExactAxes& axes,
+                        const Edge<Certified>& edge);
 
   // On line r the edge crosses column (start_ + step_ (r - first_line_)) / unit_.
   mpz_class start_, step_, unit_;

@@ -11,8 +11,9 @@ void ListStepper<Certified>::begin() {
 void ListStepper<Certified>::redo(const EdgeList<Certified>& list, std::uint32_t edge, int begin,
                                   int end, int width, std::int32_t* element) {
   const Edge<Certified>& rounded = list.edges[edge];
+  if (exact_.empty()) axes_ = ExactAxes(list.view);
   const auto [at, added] = exact_.try_emplace(edge);
-  if (added) at->second = ExactLine(list, rounded);
+  if (added) at->second = ExactLine(list, axes_, rounded);
   const ExactLine& exact = at->second;
   const std::uint64_t before = redone_;
   std::int32_t last = 0;

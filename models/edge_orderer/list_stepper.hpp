@@ -39,6 +39,7 @@ class ListStepper<Certified> {
   void redo(const EdgeList<Certified>& list, std::uint32_t edge, int begin, int end, int width,
             std::int32_t* element);
 
+  ExactAxes axes_;  // of the list's view, once an edge was needed
   std::unordered_map<std::uint32_t, ExactLine> exact_;  // by edge, those that were needed
   std::uint64_t redone_ = 0;
 };

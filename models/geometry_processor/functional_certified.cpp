@@ -133,7 +133,7 @@ void Functional<Certified>::classify_exactly(const FaceSet& set, std::uint32_t v
                                              std::uint32_t i) {
   ++redone_.vertices_redone;
   const PyramidSides<Dyadic> sides(*view_);
-  const auto [u, v, w] = exact_direction(set, vertex, *view_);
+  const auto [u, v, w] = exact_direction(set, vertex, ExactAxes(*view_));
   codes_[i] = sides.outcode({u, v, w});
   if (codes_[i] != 0) return;
   if (u.sign() <= 0 || !(points_[i].u > 2 * points_[i].error)) {
