@@ -71,6 +71,9 @@ Outcome judge_in(const Instance& instance, const Format& format) {
   const Exact hither = unit * format.machine.hither;
   const double depth = Exact(hither + unit * Exact(instance.spheres[0].radius)).get_d();
   const Triangle faces[2] = {facing_triangle(view, depth), reach};
+  // With words so few that the hither plane lies beyond the environment nothing can be asked.
+  for (const Vec3& corner : faces[0])
+    if (largest_coordinate(corner) > largest_coordinate(far)) return {};
   int ahead = 0;
   double border = 0;
   for (const Vec3& corner : faces[0]) {
