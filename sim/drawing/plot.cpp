@@ -19,7 +19,7 @@ const char* style_of(CurveStyle style) {
     case CurveStyle::kLine:
       return "lines lw 1.5";
     case CurveStyle::kMarks:
-      return "points pt 7 ps 0.4";
+      return "points pt 7 ps 0.6";
     case CurveStyle::kBars:
       return "boxes fs solid 0.6 noborder";
     case CurveStyle::kFront:
@@ -77,11 +77,15 @@ std::string plot_words(const Plot& plot, int& next_block, std::string& blocks) {
   out += fmt::format("set title {} noenhanced font ',12'\nset xlabel {} noenhanced\n",
                      gnuplot_quoted(plot.title), gnuplot_quoted(plot.x_label));
   out += fmt::format("set ylabel {} noenhanced\n", gnuplot_quoted(plot.y_label));
-  const auto named = [](const Curve& curve) { return !curve.names.empty(); };
-  if (std::any_of(plot.curves.begin(), plot.curves.end(), named))
+  const auto has = [&plot](auto what) {
+    return std::any_of(plot.curves.begin(), plot.curves.end(), what);
+  };
+  if (has([](const Curve& curve) { return !curve.names.empty(); }))
     out += "set offsets graph 0.03, graph 0.2, graph 0.06, graph 0.03\n";  // room for the names
-  if (plot.log_x) out += "set logscale x\n";
-  if (plot.log_y) out += "set logscale y\n";
+  else if (has([](const Curve& curve) { return curve.style == CurveStyle::kMarks; }))
+    out += "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n";  // none on the frame
+  if (plot.log_x) out += "set logscale x\nset format x '%g'\n";
+  if (plot.log_y) out += "set logscale y\nset format y '%g'\n";
   for (std::size_t i = 0; i < plot.notes.size(); ++i)
     out += fmt::format("set label {} {} at graph 0.03, graph {:.3f} noenhanced font ',9'\n", i + 1,
                        gnuplot_quoted(plot.notes[i]), 0.95 - 0.055 * static_cast<double>(i));

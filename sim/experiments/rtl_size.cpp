@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "sim/arguments.hpp"
@@ -68,6 +69,9 @@ RtlSize measure_rtl_size(const Database& database, std::uint64_t rows, std::size
   for (const char* program : {"verilator", "g++"})
     if (!has_program(program))
       throw UsageError(fmt::format("--rtl: {} is not installed; apt-get install it", program));
+  // Verilator compiles through ccache where there is one, and a build that it remembers takes no
+  // time.
+  ::setenv("CCACHE_DISABLE", "1", 1);
   RtlSize size;
   size.sized.variant = so_engine_variant(RtlNeeds::of(database));
   size.fixed.variant = so_engine_variant(kFixed, kFixed);

@@ -61,23 +61,12 @@ TEST_F(StabilityCommand, FirstFailuresCanBeRepeated) {
   }
 }
 
-// Whether the figures fit their schema; true where that cannot be checked.
-bool fits_schema(const std::filesystem::path& figures) {
-  if (std::system("python3 -c 'import jsonschema' 2> /dev/null") != 0) return true;
-  const std::string check =
-      "python3 -c \"import json, jsonschema; jsonschema.validate(json.load(open('" +
-      figures.string() +
-      "')), json.load(open('" CIGSIM_SOURCE_DIR "/docs/schemas/stability.schema.json')))\"";
-  return std::system(check.c_str()) == 0;
-}
-
-TEST_F(StabilityCommand, FiguresAreTheSameForASeedAndFitTheirSchema) {
+TEST_F(StabilityCommand, FiguresAreTheSameForASeed) {
   const std::vector<std::string> arguments{"stability", "--trials",  "1",
                                            "--part",    "decisions", "--json"};
   const Outcome one = cigsim(arguments), two = cigsim(arguments);
   ASSERT_EQ(one.exit_code, 0) << one.err;
   EXPECT_EQ(one.out, two.out);
-  EXPECT_TRUE(fits_schema(put("figures.json", one.out)));
 }
 
 TEST_F(StabilityCommand, FurtherPartsCanBeAskedForAlone) {
