@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/experiments/crowded_city.hpp"
 #include "benchmarks/stage_times.hpp"
 #include "models/database/prepare.hpp"
+#include "sim/experiments/crowded_city.hpp"
 
 namespace cigsim::benchmarks {
 namespace {
