@@ -24,9 +24,9 @@ constexpr double kMostReferences = 1u << 30;  // bytes that right pictures may t
 constexpr double kReferenceBytes = 10;        // an element: colour, number, distance
 constexpr double kSampleShare = 0.7;          // of the work, about
 
-// "1 frame", "2 frames".
-std::string frames_text(std::size_t count) {
-  return fmt::format("{} frame{}", count, count == 1 ? "" : "s");
+// "1 frame", "2 sampled frames".
+std::string frames_text(std::size_t count, const char* which = "") {
+  return fmt::format("{} {}frame{}", count, which, count == 1 ? "" : "s");
 }
 
 // A frame that was held back.
@@ -188,10 +188,10 @@ class Calibration {
       return one.measured && keeps(request_.budget, one.worst);
     });
     std::string text = fmt::format(
-        "{}: {:.3f} ms a frame, the fastest of the {} of {} settings that keep {} on {} that "
-        "were sampled (worst: {})",
+        "{}: {:.3f} ms a frame, the fastest of the {} of {} settings that keep {} on {} "
+        "(worst: {})",
         e.name, e.frame_ms.median, keeping, evidence.size(), request_.budget.text,
-        frames_text(sample_.sampled.size()), errors_text(request_.budget, e.worst));
+        frames_text(sample_.sampled.size(), "sampled "), errors_text(request_.budget, e.worst));
     if (const auto next = second(request_.budget, evidence, chosen))
       text += fmt::format("; next is {} with {:.3f} ms", evidence[*next].name,
                           evidence[*next].frame_ms.median);

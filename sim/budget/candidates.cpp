@@ -23,7 +23,7 @@ class Candidates {
     if (range_.machine_given)
       for (const double scale : scales) add_words(Level::kFunctional, scale);
     else
-      add_numbers({NumberType::kFloat, NumberType::kDouble, NumberType::kCertified}, scales);
+      add_numbers(numbers(), scales);
     if (!budget_.cycles) return std::move(settings_);
     for (const double scale : scales) add_words(Level::kTimed, scale);
     add_words(range_.referee, 1);
@@ -40,6 +40,11 @@ class Candidates {
     setting.machine = machine;
     setting.machine.detail = scale;
     setting.levels = levels;
+  }
+
+  std::vector<NumberType> numbers() const {
+    if (!range_.floats) return {NumberType::kDouble, NumberType::kCertified};
+    return {NumberType::kFloat, NumberType::kDouble, NumberType::kCertified};
   }
 
   // Resolvers other than the one that is chosen frame by frame: with the scene's own thresholds.

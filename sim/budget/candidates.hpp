@@ -13,6 +13,7 @@ struct CandidateRange {
   /// On machine words, functional: the raster and the machine that the run has.
   MachineOptions words;
   bool machine_given = false;   ///< the user named the machine: nothing computes on other numbers
+  bool floats = true;           ///< single precision may be tried
   bool choices = false;         ///< the scene has levels of detail to choose from
   Level referee = Level::kRtl;  ///< whose cycles count
 };

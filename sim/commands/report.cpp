@@ -29,7 +29,8 @@ void print(const Report& report, const std::string& file) {
   if (report.frames_of > 0)
     fmt::print("Run         {} of {} frames\n", report.frames, report.frames_of);
   if (report.experiments + report.drawings > 0)
-    fmt::print("Experiments {}, with {} drawings\n", report.experiments, report.drawings);
+    fmt::print("Experiments {}, with {} drawing{}\n", report.experiments, report.drawings,
+               report.drawings == 1 ? "" : "s");
   for (const std::string& note : report.notes) fmt::print("Note        {}\n", note);
   fmt::print("Page        {}, {:.1f} MB\n", file, static_cast<double>(report.bytes) * 1e-6);
 }

@@ -153,6 +153,14 @@ BudgetOutcome take_budget(const Options& options, const std::vector<FrameView>& 
   request.range.words.eye_reach = eye_reach(views);
   request.range.machine_given = options.machine.machine.has_value();
   request.range.choices = has_choices(*run.database);
+  // A few frames say little of the others where floats are known to fail.
+  MachineOptions floats;
+  floats.number = NumberType::kFloat;
+  floats.raster = request.range.words.raster;
+  request.range.floats =
+      options.max_error->kind == Budget::Kind::kNone ||
+      stability::check_envelope(*run.database, floats, views, false, stability::stored_envelopes())
+          .inside();
   Progress progress("calibrating");
   request.progress = [&](double share) { progress.show(share); };
   BudgetOutcome outcome = settle_budget(request);

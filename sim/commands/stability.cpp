@@ -122,7 +122,33 @@ std::vector<Part> parts_of(const Options& options) {
   std::vector<std::string> wanted = options.parts;
   if (wanted.empty() && chosen_decisions) wanted = {std::string(kDecisions)};
   if (wanted.empty() && options.search_envelope) wanted = {std::string(kEnvelope)};
-  return chosen("--part", all_parts(), wanted, [](const Part& part) { return part.name; });
+  std::vector<Part> parts =
+      chosen("--part", all_parts(), wanted, [](const Part& part) { return part.name; });
+  const auto has = [&](std::string_view name) {
+    return std::any_of(parts.begin(), parts.end(), [&](const Part& p) { return p.name == name; });
+  };
+  if (chosen_decisions && !has(kDecisions))
+    throw UsageError(
+        "--part: SCENE, --decision and --axis choose decisions; leave them out, or add --part "
+        "decisions");
+  if (options.search_envelope && !has(kEnvelope))
+    throw UsageError("--envelope: is not among the parts that were asked for; add --part envelope");
+  return parts;
+}
+
+// A decision that is driven along none of the axes would be told as never wrong.
+void check_axes(const stability::SweepPlan& plan) {
+  for (const Decision& decision : plan.decisions) {
+    if (std::any_of(plan.axes.begin(), plan.axes.end(), [&](Axis axis) {
+          return std::find(decision.axes.begin(), decision.axes.end(), axis) != decision.axes.end();
+        }))
+      continue;
+    std::string axes;
+    for (const Axis axis : decision.axes)
+      axes += fmt::format("{}{}", axes.empty() ? "" : ", ", stability::name_of(axis));
+    throw UsageError(
+        fmt::format("--axis: {} is not driven along it; it has {}", decision.name, axes));
+  }
 }
 
 void find_decisions(const stability::SweepPlan& plan, const stability::Material& material,
@@ -147,6 +173,7 @@ void find_part(const Part& part, const stability::PartOptions& part_options, con
 int run(const Options& options) {
   stability::SweepPlan plan = plan_of(options);
   const std::vector<Part> parts = parts_of(options);
+  if (!options.decisions.empty()) check_axes(plan);
   std::string scene;
   const stability::Material material = material_of(options, scene);
   if (options.out) make_out_folder(*options.out);

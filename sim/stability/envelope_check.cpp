@@ -40,12 +40,15 @@ bool is_of(const Envelope& envelope, const MachineOptions& options) {
   }
 }
 
-// Of several that apply (on machine words) the widest.
+// Of several that apply (on machine words) the machine's own, else the widest.
 const Envelope* envelope_of(const MachineOptions& options, const std::vector<Envelope>& all) {
   const Envelope* best = nullptr;
-  for (const Envelope& e : all)
-    if (is_of(e, options) && (!best || nowhere_wider(best->format.machine, e.format.machine)))
-      best = &e;
+  for (const Envelope& e : all) {
+    if (!is_of(e, options)) continue;
+    if (options.number == NumberType::kMachine && e.format.name == options.description.name)
+      return &e;
+    if (!best || nowhere_wider(best->format.machine, e.format.machine)) best = &e;
+  }
   return best;
 }
 

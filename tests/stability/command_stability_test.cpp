@@ -96,6 +96,9 @@ TEST_F(StabilityCommand, RefusesWhatItCannotUse) {
   expect_unusable({"stability", "--part", "colour"}, "choose from decisions");
   expect_unusable({"stability", "--axis", "length"}, "choose from scale");
   expect_unusable({"stability", "--format", "flaot"}, "--format");
+  expect_unusable({"stability", "--decision", "side", "--axis", "fov"}, "side is not driven along");
+  expect_unusable({"stability", "--decision", "side", "--part", "flicker"}, "choose decisions");
+  expect_unusable({"stability", "--envelope", "--part", "flicker"}, "add --part envelope");
   expect_unusable({"stability", "--format", "machine:24,22,15,12"}, "even");
   expect_unusable({"stability", "--format", "machine:99,22,16,12"}, "--format");
   expect_unusable({"stability", "--trials", "0"}, "--trials");

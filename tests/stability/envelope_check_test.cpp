@@ -113,6 +113,13 @@ TEST(EnvelopeCheck, AnEyepointLevelWithARoofIsNot) {
   }
 }
 
+TEST(EnvelopeCheck, AMachineIsHeldToItsOwnRowAmongThoseOfEqualWidths) {
+  const SearchWorld world = city();
+  const Database database = prepare(world.environment);
+  for (const char* name : {"nasa1968", "asupt1975", "unlimited"})
+    EXPECT_EQ(check(database, preset(name), view_of(world, 1.2), {64, 64}).format, name);
+}
+
 TEST(EnvelopeCheck, OtherWordsTakeTheWidestRowThatIsNowhereWider) {
   const SearchWorld world = city();
   const Database database = prepare(world.environment);
