@@ -116,8 +116,14 @@ TEST(EnvelopeCheck, AnEyepointLevelWithARoofIsNot) {
 TEST(EnvelopeCheck, AMachineIsHeldToItsOwnRowAmongThoseOfEqualWidths) {
   const SearchWorld world = city();
   const Database database = prepare(world.environment);
-  for (const char* name : {"nasa1968", "asupt1975", "unlimited"})
-    EXPECT_EQ(check(database, preset(name), view_of(world, 1.2), {64, 64}).format, name);
+  for (const char* name : {"nasa1968", "asupt1975", "unlimited"}) {
+    MachineOptions options = options_for(preset(name), {64, 64}, 0);
+    options.description.name = name;
+    EXPECT_EQ(
+        check_envelope(database, options, {{view_of(world, 1.2), 0}}, true, stored_envelopes())
+            .format,
+        name);
+  }
 }
 
 TEST(EnvelopeCheck, OtherWordsTakeTheWidestRowThatIsNowhereWider) {
