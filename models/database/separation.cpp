@@ -46,9 +46,19 @@ std::vector<std::uint32_t> vertices_of(const std::vector<EdgeEnds>& edges) {
   return list;
 }
 
+bool finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// Of large coordinates a candidate may overflow.
+bool finite(const PlaneDefinition& d) {
+  return finite(d.p) && finite(d.u0) && finite(d.u1) && finite(d.v0) && finite(d.v1);
+}
+
 // The plane, turned so that a is on its positive side, when it separates.
 std::optional<Plane> if_separates(const WorkSet& set, const Plane& plane, const WorkItem& a,
                                   const WorkItem& b, std::uint32_t face_plane = WorkSet::kNothing) {
+  if (!finite(plane.exact)) return std::nullopt;
   const int sa = set.classify(plane, a, face_plane);
   if (sa == 2) return std::nullopt;
   const int sb = set.classify(plane, b, face_plane);

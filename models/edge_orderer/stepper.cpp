@@ -47,7 +47,7 @@ bool step_certain(const Edge<Certified>& edge, int begin, int end, int width,
     const double at = x + slope * static_cast<double>(skip + k);
     const double clamped = at > 0 ? (at < limit ? at : limit) : 0;
     element[k] = static_cast<std::int32_t>(clamped + 0.5);
-    doubts |= !(std::abs(clamped - static_cast<double>(element[k])) < room);
+    doubts |= !(std::abs(clamped - static_cast<double>(element[k])) < room) | (at != at);
   }
   return doubts == 0;
 }

@@ -24,6 +24,9 @@ ViewTransform view_transform(const Viewpoint& viewpoint, const Raster& raster) {
   view.rotation = body_axes(eye);
   const double half = viewpoint.fov / 2;
   view.focal = raster.height / 2.0 * (cos_degrees(half) / sin_degrees(half));
+  if (!std::isfinite(view.focal))
+    throw std::invalid_argument(
+        "viewpoint: the field of view is too narrow for a focal length; take a wider one");
   view.raster = raster;
   return view;
 }

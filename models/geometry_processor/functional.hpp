@@ -24,6 +24,13 @@ namespace cigsim::geometry_processor {
 /// The face sets of a frame, by SetId.
 using FrameSets = std::array<const FaceSet*, 3>;
 
+/// The nearest double to a quantity of an edge that is worked out exactly; beyond the doubles, a
+/// very large one, so that no place on a line becomes infinity less infinity.
+inline double edge_double(const Exact& value) {
+  constexpr double kMost = 0x1p1000;
+  return std::clamp(to_double(value), -kMost, kMost);
+}
+
 template <class N>
 class Functional {
  public:
@@ -129,7 +136,8 @@ class Functional {
     for (RasterFace made : edges.faces) {
       made.first_edge = static_cast<std::uint32_t>(out.edges.size());
       for (const Edge<Exact>& e : edges.edges)
-        out.edges.push_back({e.first_line, e.end_line, e.left, to_double(e.x), to_double(e.slope)});
+        out.edges.push_back(
+            {e.first_line, e.end_line, e.left, edge_double(e.x), edge_double(e.slope)});
       out.faces.push_back(made);
     }
   }

@@ -218,8 +218,12 @@ void Functional<Certified>::process_exactly(const FaceSet& set, const Item& item
   for (RasterFace made : exact_edges_.faces) {
     made.first_edge = static_cast<std::uint32_t>(out.edges.size());
     for (Edge<Exact>& e : exact_edges_.edges) {
-      out.edges.push_back({e.first_line, e.end_line, e.left, set_id_, to_double(e.x),
-                           to_double(e.slope), rounding_, kNone,
+      const double x = edge_double(e.x), slope = edge_double(e.slope);
+      // An edge so nearly level that doubles hardly hold it: every crossing is in doubt.
+      constexpr double kLarge = 0x1p900;
+      const bool steep = std::abs(x) > kLarge || std::abs(slope) > kLarge;
+      out.edges.push_back({e.first_line, e.end_line, e.left, set_id_, x, slope,
+                           steep ? 1.0 : rounding_, kNone,
                            static_cast<std::uint32_t>(out.exact.size())});
       out.exact.push_back(std::move(e));
     }

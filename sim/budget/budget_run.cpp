@@ -110,9 +110,12 @@ class Calibration {
   }
 
   std::vector<Evidence> gather(const std::vector<FrameView>& views) const {
-    const auto references =
-        reference_pictures(*request_.database, views, range_.words.raster,
-                           [this](double share) { progress(kSampleShare / 4 * share); });
+    // What is to be proved is not compared with itself.
+    const bool proof = request_.budget.kind == Budget::Kind::kExact;
+    const auto references = reference_pictures(
+        *request_.database, views, range_.words.raster,
+        [this](double share) { progress(kSampleShare / 4 * share); },
+        proof ? NumberType::kExact : exact_number());
     const Workload work{request_.database, views, &references};
     MeasureOptions options;
     options.progress = [this](double share, const std::string&) {

@@ -20,11 +20,13 @@ class Candidates {
     }
     const std::vector<double> scales =
         range_.choices ? std::vector<double>{1, 0, 0.5, 2, 4} : std::vector<double>{1};
-    if (range_.machine_given)
-      for (const double scale : scales) add_words(Level::kFunctional, scale);
-    else
-      add_numbers(numbers(), scales);
-    if (!budget_.cycles) return std::move(settings_);
+    if (!budget_.cycles) {  // which the functional level does not know
+      if (range_.machine_given)
+        for (const double scale : scales) add_words(Level::kFunctional, scale);
+      else
+        add_numbers(numbers(), scales);
+      return std::move(settings_);
+    }
     for (const double scale : scales) add_words(Level::kTimed, scale);
     add_words(range_.referee, 1);
     return std::move(settings_);

@@ -2,7 +2,6 @@
 #include "sim/experiments/rtl_size.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -23,8 +22,12 @@ constexpr std::uint32_t kFixed = 256;
 // A folder that is there as long as this object.
 class Folder {
  public:
-  Folder() : path_(fs::temp_directory_path() / fmt::format("cigsim-rtl-size-{}", ::getpid())) {
-    fs::create_directories(path_);
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "cigsim-rtl-size-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw UsageError(
+          fmt::format("--rtl: no folder can be made in {}", fs::temp_directory_path().string()));
+    path_ = name;
   }
   ~Folder() {
     std::error_code error;

@@ -69,9 +69,14 @@ class Child {
       ::close(ends[0]);
       be_child(ends[1], parent, work);
     }
+    const int why = errno;
     ::close(ends[1]);
+    if (pid_ < 0) {
+      ::close(ends[0]);
+      errno = why;
+      fail("cannot be started");
+    }
     pipe_ = ends[0];
-    if (pid_ < 0) fail("cannot be started");
   }
   ~Child() {
     if (pipe_ >= 0) ::close(pipe_);
@@ -89,7 +94,7 @@ class Child {
     for (;;) {
       const double left_s = std::chrono::duration<double>(end - Clock::now()).count();
       if (left_s <= 0)
-        throw TimeLimitError(fmt::format("{}: not done within {:g} s", name_, limit_s));
+        throw MeasureError(fmt::format("{}: not done within {:g} s", name_, limit_s));
       pollfd file{pipe_, POLLIN, 0};
       const int ready =
           ::poll(&file, 1, static_cast<int>(std::min(left_s, kLongestPoll_s) * 1e3) + 1);

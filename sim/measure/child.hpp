@@ -16,16 +16,10 @@ class MeasureError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// It took longer than it was given.
-class TimeLimitError : public MeasureError {
- public:
-  using MeasureError::MeasureError;
-};
-
 /// What `work` returns, done in a fork of this process, which must not have made a SystemC module.
 /// Its children end with this process, by whatever signal that ends. Throws MeasureError with
-/// `name` when it throws (with its message), ends by a signal or cannot be started, and
-/// TimeLimitError when it is not done within `limit_s` seconds (more than 0).
+/// `name` when it throws (with its message), ends by a signal, cannot be started, or is not done
+/// within `limit_s` seconds (more than 0).
 nlohmann::ordered_json in_child(const std::string& name, double limit_s,
                                 const std::function<nlohmann::ordered_json()>& work);
 

@@ -63,12 +63,14 @@ std::vector<Measured> measure(const std::vector<Setting>& settings, const Worklo
     // The errors of the first round are those of all.
     Workload round = work;
     if (series[s].digest) round.references = nullptr;
+    Trial trial;
     try {
-      add(run_trial(settings[s], round, series[s].libraries, options.limit_s), series[s],
-          results[s]);
-    } catch (const TimeLimitError& error) {
+      trial = run_trial(settings[s], round, series[s].libraries, options.limit_s);
+    } catch (const MeasureError& error) {
       results[s].given_up = error.what();
+      continue;
     }
+    add(trial, series[s], results[s]);
   }
   for (std::size_t s = 0; s < settings.size(); ++s) {
     results[s].frame_ms = spread(series[s].frame_ms);

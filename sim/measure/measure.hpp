@@ -28,13 +28,13 @@ struct Measured {
   Spread mcycles_per_second;  ///< millions, simulated in a second of the host; 0 without time
   std::vector<Cycle> delays;  ///< as Trial
   std::vector<PictureError> errors;     ///< as Trial
-  std::optional<std::string> given_up;  ///< why there are no figures: it took too long
+  std::optional<std::string> given_up;  ///< why there are no figures: it failed, or took too long
 
   PictureError error() const;  ///< of all views together
 };
 
-/// Each setting, measured; those that go beyond the limit are given up, the rest goes on. Throws
-/// MeasureError where a setting fails, or gives different pictures in two rounds.
+/// Each setting, measured; those that fail or go beyond the limit are given up, the rest goes on.
+/// Throws MeasureError where one gives different pictures in two rounds.
 std::vector<Measured> measure(const std::vector<Setting>& settings, const Workload& work,
                               const MeasureOptions& options);
 

@@ -70,6 +70,7 @@ MachineOptions machine_of(const Json& stats, const std::string& file) {
   out.raster = raster_of(options.at("raster"));
   out.detail = options.at("detail") == "most" ? 0 : options.at("detail").get<double>();
   out.eye_reach = options.at("eye_reach").get<double>();
+  if (!(out.detail >= 0 && out.eye_reach >= 0)) refuse("detail or eye_reach is below 0");
   if (out.number != NumberType::kMachine) {
     out.retrieval = options.at("retrieval").get<bool>();
     out.coherence = options.at("coherence").get<bool>();
@@ -108,6 +109,8 @@ RecordedFrame frame_of(Json figures) {
   out.picture = file_name(figures.at("picture"));
   out.ids = file_name(figures.at("ids"));
   out.faces = whole(figures.at("faces"), 0, kNone);
+  for (const Json& fault : figures.at("listability"))
+    for (const Json& object : fault.at("objects")) whole(object, 0, kNone);
   out.figures = std::move(figures);
   return out;
 }

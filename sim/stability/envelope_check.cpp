@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "models/frame_calculator/functional.hpp"
@@ -74,7 +75,16 @@ struct Measured {
   Measures measures;
 };
 
-// Evenly spaced frames, as many as the faces of the first one allow.
+// 0 .. count - 1 in an order whose beginnings are spread evenly: the first, then ever finer halves.
+std::vector<std::size_t> spread_order(std::size_t count) {
+  if (count == 0) return {};
+  std::vector<std::size_t> order{0};
+  for (std::size_t step = std::bit_ceil(count) / 2; step > 0; step /= 2)
+    for (std::size_t f = step; f < count; f += 2 * step) order.push_back(f);
+  return order;
+}
+
+// Frames spread over the run, as many as their faces allow.
 std::vector<Measured> measure_frames(const Database& database, const MachineOptions& options,
                                      const std::vector<FrameView>& views) {
   std::vector<Measured> out;
@@ -83,20 +93,19 @@ std::vector<Measured> measure_frames(const Database& database, const MachineOpti
   ActiveEnvironment active;
   FaceSet moving;
   PriorityList list;
-  std::size_t stride = 1;
-  for (std::size_t f = 0; f < views.size(); f += stride) {
+  std::size_t faces = 0;
+  for (const std::size_t f : spread_order(views.size())) {
+    if (out.size() == kMostFrames || faces > kMostFaces) break;
     calculator.compute(views[f].viewpoint, options.raster, views[f].position, active, moving);
     priority.compute(database.systems[0].hierarchy, database.systems[0].set, active,
                      database.ground, list);
     out.push_back({f, measure(database, active, moving, list.items)});
-    if (f > 0) continue;
-    std::size_t faces = database.ground.faces.size() + moving.faces.size();
+    faces += 1 + database.ground.faces.size() + moving.faces.size();
     for (const ItemRef& ref : list.items)
       if (ref.set == SetId::kStatic) faces += database.systems[0].set.items[ref.item].face_count;
-    const std::size_t most = kMostFaces / std::max<std::size_t>(1, faces);
-    const std::size_t frames = std::clamp<std::size_t>(most, 1, kMostFrames);
-    stride = std::max<std::size_t>(1, (views.size() + frames - 1) / frames);
   }
+  std::sort(out.begin(), out.end(),
+            [](const Measured& a, const Measured& b) { return a.frame < b.frame; });
   return out;
 }
 

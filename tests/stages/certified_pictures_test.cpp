@@ -112,6 +112,21 @@ TEST(CertifiedPictures, OfEdgesThroughSamples) {
 
 // A triangle of whole coordinates seen from the origin, of which doubles show three elements that
 // the rays through their samples miss.
+// Edges through a line of samples whose slope, elements a line, no double holds.
+TEST(CertifiedPictures, OfEdgesThatAreLevelButForTheSmallestDoubles) {
+  for (const double rise : {5e-324, 1e-320, 1e-310, 1e-305, 1e-200, 1e-20})
+    for (const double turn : {1.0, -1.0})
+      for (const ResolverMethod resolver : kResolvers) {
+        SCOPED_TRACE(rise * turn);
+        World world;
+        world.add(polygon({{-100, 10, turn * rise}, {100, 10, -turn * rise}, {0, 10, 100}}), true);
+        const Database database = prepare(world.environment);
+        Pair pair(database, {65, 65}, resolver);
+        for (const double heading : {0.0, 1e-3, 180.0})
+          pair.check({{{0, 0, 0}, heading, 0, 0}, 60});
+      }
+}
+
 TEST(CertifiedPictures, AreRightWhereDoublesAreWrong) {
   World world;
   world.add(polygon({{5, 10, -3}, {-8, 6, -4}, {-11, 6, 4}}), true);
