@@ -3,12 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
 #include "sim/interrupt.hpp"
+#include "sim/measure/setting.hpp"
 #include "sim/picture_file.hpp"
 #include "sim/progress.hpp"
-#include "sim/rtl/library.hpp"
 #include "sim/systemc_machine.hpp"
 #include "sim/wave/recording.hpp"
 
@@ -58,31 +56,20 @@ void run_functional(const std::vector<FrameView>& views, const Interrupt& interr
   }
 }
 
-// Of the stages whose RTL takes part, in the sizes that the scene needs.
-std::map<Stage, std::filesystem::path> libraries(const RunRecord& run) {
-  std::map<Stage, std::filesystem::path> found;
-  for (const Stage stage : kAllStages)
-    if (run.levels[stage] == Level::kRtl)
-      found[stage] =
-          rtl_library(rtl_variant(stage, RtlNeeds::of(*run.database), run.machine.description),
-                      say_on_stderr)
-              .file;
-  return found;
-}
-
 // A frame that is repeated goes through the pipeline as often.
 void run_pipeline(const std::vector<FrameView>& views, const Interrupt& interrupt,
                   const std::optional<WaveRequest>& wave, const RunRecord& run, Output& output) {
-  SystemcMachine machine("cigsim", {.description = run.machine.description,
-                                    .overload = run.machine.overload,
-                                    .eye_reach = run.machine.eye_reach,
-                                    .detail = run.machine.detail,
-                                    .levels = run.levels,
-                                    .stalls = {},
-                                    .libraries = libraries(run),
-                                    .rtl_seed = 1,
-                                    .lockstep = {},
-                                    .stuck = {}});
+  SystemcMachine machine("cigsim",
+                         {.description = run.machine.description,
+                          .overload = run.machine.overload,
+                          .eye_reach = run.machine.eye_reach,
+                          .detail = run.machine.detail,
+                          .levels = run.levels,
+                          .stalls = {},
+                          .libraries = rtl_libraries({"", run.machine, run.levels}, *run.database),
+                          .rtl_seed = 1,
+                          .lockstep = {},
+                          .stuck = {}});
   std::size_t fed = 0;
   std::vector<FrameStats> repeats;
   machine.feed(

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Which economies there are (economies.hpp).
-#include <algorithm>
 
 #include "models/machine/description.hpp"
 #include "sim/arguments.hpp"
@@ -81,11 +80,6 @@ Economy attribute(const char* name, const Database& lean, const EconomyScene& sc
   return e;
 }
 
-bool shows_levels(const Database& database) {
-  return std::any_of(database.systems.begin(), database.systems.end(),
-                     [](const PreparedSystem& s) { return !s.hierarchy.choices.empty(); });
-}
-
 }  // namespace
 
 std::vector<Economy> economies_of(const EconomyScene& scene, const EconomyOptions& options,
@@ -93,7 +87,7 @@ std::vector<Economy> economies_of(const EconomyScene& scene, const EconomyOption
   const Database& database = *scene.database;
   std::vector<Economy> out{stages(scene, options), clocked_stages(scene, options),
                            retrieval(scene, options), coherence(scene, options)};
-  if (shows_levels(database)) out.push_back(less_detail(scene, options));
+  if (has_choices(database)) out.push_back(less_detail(scene, options));
   if (database.systems.size() > 1) {
     lean.without_moving = database;
     lean.without_moving->systems.resize(1);
