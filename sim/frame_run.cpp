@@ -59,17 +59,9 @@ void run_functional(const std::vector<FrameView>& views, const Interrupt& interr
 // A frame that is repeated goes through the pipeline as often.
 void run_pipeline(const std::vector<FrameView>& views, const Interrupt& interrupt,
                   const std::optional<WaveRequest>& wave, const RunRecord& run, Output& output) {
+  const Setting setting{"", run.machine, run.levels};
   SystemcMachine machine("cigsim",
-                         {.description = run.machine.description,
-                          .overload = run.machine.overload,
-                          .eye_reach = run.machine.eye_reach,
-                          .detail = run.machine.detail,
-                          .levels = run.levels,
-                          .stalls = {},
-                          .libraries = rtl_libraries({"", run.machine, run.levels}, *run.database),
-                          .rtl_seed = 1,
-                          .lockstep = {},
-                          .stuck = {}});
+                         pipeline_options(setting, rtl_libraries(setting, *run.database)));
   std::size_t fed = 0;
   std::vector<FrameStats> repeats;
   machine.feed(

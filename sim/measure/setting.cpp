@@ -2,6 +2,7 @@
 #include "sim/measure/setting.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/rtl/library.hpp"
 #include "sim/stats.hpp"
@@ -59,6 +60,18 @@ std::map<Stage, std::filesystem::path> rtl_libraries(const Setting& setting,
                       say_on_stderr)
               .file;
   return found;
+}
+
+PipelineOptions pipeline_options(const Setting& setting,
+                                 std::map<Stage, std::filesystem::path> libraries) {
+  PipelineOptions options;
+  options.description = setting.machine.description;
+  options.overload = setting.machine.overload;
+  options.eye_reach = setting.machine.eye_reach;
+  options.detail = setting.machine.detail;
+  options.levels = setting.levels;
+  options.libraries = std::move(libraries);
+  return options;
 }
 
 }  // namespace cigsim

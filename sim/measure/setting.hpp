@@ -9,6 +9,7 @@
 
 #include "sim/functional_machine.hpp"
 #include "sim/level.hpp"
+#include "sim/systemc_machine.hpp"
 
 namespace cigsim {
 
@@ -34,5 +35,9 @@ bool has_choices(const Database& database);
 /// needs, built if need be. Throws UsageError as rtl_library().
 std::map<Stage, std::filesystem::path> rtl_libraries(const Setting& setting,
                                                      const Database& database);
+
+/// The pipeline of a setting whose levels know time, with the libraries that rtl_libraries() found.
+PipelineOptions pipeline_options(const Setting& setting,
+                                 std::map<Stage, std::filesystem::path> libraries);
 
 }  // namespace cigsim

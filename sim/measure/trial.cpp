@@ -93,16 +93,7 @@ Trial pipeline_trial(const Setting& setting, const Workload& work, const Librari
   Trial trial;
   Memory memory;
   Pictures pictures(work);
-  SystemcMachine machine("trial", {.description = setting.machine.description,
-                                   .overload = setting.machine.overload,
-                                   .eye_reach = setting.machine.eye_reach,
-                                   .detail = setting.machine.detail,
-                                   .levels = setting.levels,
-                                   .stalls = {},
-                                   .libraries = libraries,
-                                   .rtl_seed = 1,
-                                   .lockstep = {},
-                                   .stuck = {}});
+  SystemcMachine machine("trial", pipeline_options(setting, libraries));
   const std::size_t count = work.views.size();
   std::size_t fed = 0, shown = 0;
   Cycle last = 0;
