@@ -8,6 +8,8 @@
 #include "models/edge_orderer/figures.hpp"
 #include "models/geometry_processor/figures.hpp"
 #include "models/priority_processor/figures.hpp"
+#include "models/priority_resolver/figures.hpp"
+#include "models/video_processor/figures.hpp"
 #include "sim/frame_stats.hpp"
 
 namespace cigsim {
@@ -35,6 +37,15 @@ inline void add_figures(FrameStats& stats, const edge_orderer::Figures& figures)
   stats.worst_line_crossings = figures.worst_line_crossings;
   stats.overload->overfull_lines = figures.overfull_lines;
   stats.overload->dropped_crossings = figures.dropped;
+}
+
+inline void add_figures(FrameStats& stats, const priority_resolver::Figures& figures) {
+  stats.spans = figures.face_spans;
+}
+
+inline void add_figures(FrameStats& stats, const video_processor::Figures& figures) {
+  stats.overload->late_lines = figures.late_lines;
+  stats.overload->worst_lateness = figures.worst_lateness;
 }
 
 }  // namespace cigsim

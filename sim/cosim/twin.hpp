@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "models/boundary/pin_check.hpp"
-#include "sim/connection.hpp"
+#include "sim/pipeline/connection.hpp"
 
 namespace cigsim {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/frame_log.hpp"
+#include "sim/pipeline/frame_log.hpp"
 
 #include <utility>
 

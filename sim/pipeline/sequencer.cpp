@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/sequencer.hpp"
+#include "sim/pipeline/sequencer.hpp"
 
 #include <algorithm>
 #include <limits>
