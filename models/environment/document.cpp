@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "models/environment/input_error.hpp"
+#include "models/environment/json_reason.hpp"
 
 namespace cigsim {
 namespace {
@@ -48,18 +49,6 @@ class CountingIterator {
   Position* position_;
 };
 
-/// Drops the library's prefix up to the reason, and what would break the one line of a message.
-std::string reason_of(const std::string& message) {
-  std::size_t from = message.find("] ");
-  from = from == std::string::npos ? 0 : from + 2;
-  const std::size_t place = message.find(": ", from);
-  if (message.compare(from, 11, "parse error") == 0 && place != std::string::npos) from = place + 2;
-  std::string reason = message.substr(from);
-  for (char& c : reason)
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  return reason;
-}
-
 }  // namespace
 
 /// Receives the parser's events and lays them out as entries.
@@ -94,7 +83,7 @@ class DocumentBuilder {
   bool end_array() { return close(); }
 
   bool parse_error(std::size_t, const std::string&, const json::exception& exception) {
-    fail((line() > 0 ? "not valid JSON: " : "not valid CBOR: ") + reason_of(exception.what()) +
+    fail((line() > 0 ? "not valid JSON: " : "not valid CBOR: ") + json_reason(exception.what()) +
          "; correct it or write the file again");
   }
 

@@ -9,6 +9,7 @@
 
 #include "models/environment/input_error.hpp"
 #include "models/environment/write.hpp"
+#include "sim/markup.hpp"
 #include "sim/program_pipe.hpp"
 
 namespace cigsim {
@@ -41,9 +42,9 @@ bool can_plot() { return has_program("gnuplot"); }
 // Within single quotes only these count.
 std::string gnuplot_quoted(std::string_view words) {
   std::string out = "'";
-  for (const char c : words) {
+  for (const char c : clean_words(words)) {
     if (c == '\'') out += '\'';
-    if (static_cast<unsigned char>(c) >= 0x20) out += c;
+    out += c;
   }
   return out + "'";
 }

@@ -11,7 +11,7 @@ namespace cigsim {
 /// Whether gnuplot is there.
 bool can_plot();
 
-/// Words as gnuplot's quoted string; control characters are left out.
+/// Words as gnuplot's quoted string, as clean_words().
 std::string gnuplot_quoted(std::string_view words);
 
 /// The commands that begin a sheet of `count` drawings side by side in rows of `columns`, each of

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kLeastWidth = 480, kCellWidth = 44, kLeastHeight = 280, kCellHeight = 26;
 constexpr int kMargins = 200;  // names, title and colours around the cells
+constexpr double kDark = 0.6;  // from here on the colours reach, white words are legible
 constexpr std::size_t kMostCellsWithValues = 400;
 
 std::string ticks(const std::vector<std::string>& names, bool from_the_top) {
@@ -85,8 +86,9 @@ std::string map_words(const HeatMap& map, std::size_t block) {
   out += fmt::format("plot $m{0} using 1:2:3 with image pixels notitle", block);
   if (map.values.size() <= kMostCellsWithValues)
     out += fmt::format(
-        ", $m{0} using 1:2:(valid(3) ? sprintf('%.3g', $3) : '') with labels font ',8' notitle",
-        block);
+        ", $m{0} using 1:2:(valid(3) ? sprintf('%.3g', $3) : ''):(valid(3) && $3 > {1:.17g} ? "
+        "0xffffff : 0x1b1b1b) with labels font ',9' textcolor rgb variable notitle",
+        block, map.low + kDark * (map.high - map.low));
   return out + "\n";
 }
 

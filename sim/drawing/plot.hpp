@@ -16,20 +16,29 @@ enum class CurveStyle {
   kMarks,      ///< a mark a point, unconnected
   kLineMarks,  ///< marks, connected
   kBars,       ///< a box a point, down to the axis
+  kBound,      ///< a broken line in the colour of the curve before
   kFront       ///< rings connected by steps, ascending in x: a Pareto front
 };
+
+enum class Mark { kDisc, kSquare, kTriangle, kPointedDown, kDiamond, kPentagon, kCross };
 
 struct Curve {
   std::string label = {};  ///< of the key; empty: not in the key
   std::vector<Vec2> points = {};
   CurveStyle style = CurveStyle::kLineMarks;
-  std::vector<std::string> names = {};  ///< written beside the points, one each; empty: none are
+  /// Written beside the points, one each, where none covers another; empty: none are.
+  std::vector<std::string> names = {};
+  std::string colour = {};  ///< "#2f6fab"; empty: the next of the plot's own
+  Mark mark = Mark::kDisc;
 };
 
 struct Plot {
   std::string title = {}, x_label = {}, y_label = {};
   bool log_x = false, log_y = false;
-  std::vector<std::string> notes = {};  ///< lines of words under the title
+  std::vector<std::string> notes = {};  ///< words under the title
+  /// Names of rows from the top, instead of figures along y: a point's y is the number of its row,
+  /// from 0.
+  std::vector<std::string> rows = {};
   std::vector<Curve> curves = {};
 };
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/markup.hpp"
+
 namespace cigsim {
 namespace {
 
@@ -17,36 +19,13 @@ const char* name_of(SvgAnchor anchor) { return anchor == SvgAnchor::kMiddle ? "m
 
 }  // namespace
 
-std::string svg_escaped(std::string_view words) {
-  std::string out;
-  for (const char c : words) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20) out += c;
-    }
-  }
-  return out;
-}
-
 SvgDrawing::SvgDrawing(double width, double height, std::string_view title)
     : text_(fmt::format(
           "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.6g} {1:.6g}\" "
           "width=\"{0:.6g}\" height=\"{1:.6g}\" font-family=\"Helvetica, Arial, sans-serif\" "
           "stroke-linecap=\"round\" role=\"img\">\n<title>{2}</title>\n"
           "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
-          width, height, svg_escaped(title))) {}
+          width, height, markup_escaped(title))) {}
 
 void SvgDrawing::line(const Vec2& from, const Vec2& to, const SvgStyle& style) {
   text_ += fmt::format("<line x1=\"{:.6g}\" y1=\"{:.6g}\" x2=\"{:.6g}\" y2=\"{:.6g}\" {}/>\n",
@@ -69,7 +48,7 @@ void SvgDrawing::text(const Vec2& at, std::string_view words, double size, SvgAn
   text_ += fmt::format(
       "<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.6g}\" text-anchor=\"{}\" fill=\"{}\">{}"
       "</text>\n",
-      at.x, at.y, size, name_of(anchor), fill, svg_escaped(words));
+      at.x, at.y, size, name_of(anchor), fill, markup_escaped(words));
 }
 
 }  // namespace cigsim

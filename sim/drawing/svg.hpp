@@ -39,8 +39,4 @@ class SvgDrawing {
   std::string text_;
 };
 
-/// `words` as the contents of an element or attribute: & < > " replaced, control characters left
-/// out.
-std::string svg_escaped(std::string_view words);
-
 }  // namespace cigsim

@@ -8,6 +8,7 @@
 #include "models/environment/input_error.hpp"
 #include "models/environment/text_file.hpp"
 #include "sim/report/base64.hpp"
+#include "sim/report/json_file.hpp"
 
 namespace cigsim {
 namespace {
@@ -27,16 +28,6 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder)
   return out;
 }
 
-Json parsed(const std::filesystem::path& file) {
-  try {
-    return Json::parse(read_whole_file(file));
-  } catch (const Json::parse_error& error) {
-    throw InputError(file.string(), 0,
-                     std::string("is broken JSON (") + error.what() +
-                         "); repeat the experiment, or move the file elsewhere");
-  }
-}
-
 }  // namespace
 
 Json experiment_section(const std::filesystem::path& folder) {
@@ -48,16 +39,20 @@ Json experiment_section(const std::filesystem::path& folder) {
       notes.push_back(fmt::format("{} is larger than 32 MiB and left out.", name));
       continue;
     }
-    if (ending == "svg") {
-      drawings.push_back(
-          {{"file", name}, {"uri", data_uri("image/svg+xml", read_whole_file(file))}});
-      continue;
+    try {
+      if (ending == "svg") {
+        drawings.push_back(
+            {{"file", name}, {"uri", data_uri("image/svg+xml", read_whole_file(file))}});
+        continue;
+      }
+      Json figures = JsonFile(file).value();
+      if (figures.is_object() && figures.contains("experiment"))
+        experiments.push_back({{"file", name}, {"figures", std::move(figures)}});
+      else
+        notes.push_back(fmt::format("{} tells of no experiment and is left out.", name));
+    } catch (const InputError& error) {
+      notes.push_back(fmt::format("Left out: {}", error.what()));
     }
-    Json figures = parsed(file);
-    if (figures.is_object() && figures.contains("experiment"))
-      experiments.push_back({{"file", name}, {"figures", std::move(figures)}});
-    else
-      notes.push_back(fmt::format("{} tells of no experiment and is left out.", name));
   }
   return {{"experiments", std::move(experiments)},
           {"drawings", std::move(drawings)},

@@ -3,6 +3,8 @@
 
 #include <map>
 
+#include "sim/markup.hpp"
+
 namespace cigsim {
 namespace {
 
@@ -25,32 +27,6 @@ std::string filled(std::string_view text, const std::map<std::string_view, std::
 }
 
 }  // namespace
-
-std::string html_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string script_json(const nlohmann::ordered_json& data) {
   const std::string text =
@@ -79,7 +55,7 @@ std::string report_page(std::string_view title, const nlohmann::ordered_json& da
   std::string script;
   for (const char* name : kScripts) script += embedded_text(files, name);
   return filled(embedded_text(files, "page.html"),
-                {{"title", html_escaped(title)},
+                {{"title", markup_escaped(title)},
                  {"style", std::string(embedded_text(files, "page.css"))},
                  {"script", script},
                  {"data", script_json(data)}});

@@ -13,9 +13,6 @@ namespace cigsim {
 /// The files of sim/report/page.
 std::span<const EmbeddedFile> embedded_report_page();
 
-/// Text that means itself in HTML and in its attributes.
-std::string html_escaped(std::string_view text);
-
 /// JSON that no browser takes for HTML within <script>: <, >, & and the line ends U+2028, U+2029
 /// are escaped. Bytes that are not UTF-8 are replaced.
 std::string script_json(const nlohmann::ordered_json& data);

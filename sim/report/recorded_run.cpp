@@ -4,8 +4,9 @@
 #include <array>
 
 #include "models/environment/input_error.hpp"
-#include "models/environment/text_file.hpp"
+#include "models/environment/json_reason.hpp"
 #include "models/machine/description_json.hpp"
+#include "sim/report/json_file.hpp"
 #include "sim/stats.hpp"
 
 namespace cigsim {
@@ -115,33 +116,47 @@ RecordedFrame frame_of(Json figures) {
   return out;
 }
 
-RecordedRun run_of(Json stats, const std::string& file) {
+using Place = Json::json_pointer;
+
+// `place` is kept at what is being read.
+RecordedRun run_of(Json stats, const std::string& file, Place& place) {
   RecordedRun run;
   run.scene = stats.at("scene").get<std::string>();
   if (run.scene != kBuiltInScene) run.scene_file = run.scene;
+  place = Place("/options");
   run.machine = machine_of(stats, file);
   run.preparation = preparation_of(stats.at("options"));
-  for (Json& frame : stats.at("frames")) run.frames.push_back(frame_of(std::move(frame)));
+  place = Place("/frames");
+  Json& frames = stats.at("frames");
+  if (!frames.is_array()) refuse("the list of frames is missing");
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    place = Place("/frames") / i;
+    run.frames.push_back(frame_of(std::move(frames[i])));
+  }
   stats.erase("frames");
   run.stats = std::move(stats);
   return run;
 }
 
+[[noreturn]] void refuse_run(const JsonFile& json, const std::string& file, const Place& place,
+                             const std::string& reason) {
+  std::string words = "is not what cigsim run of this version writes: ";
+  if (!place.empty()) words += place.to_string().substr(1) + ": ";
+  throw InputError(file, json.line_of(place), words + reason + "; repeat the run");
+}
+
 }  // namespace
 
 RecordedRun read_recorded_run(const std::filesystem::path& stats_file) {
-  const std::string name = stats_file.string();
-  const std::string text = read_whole_file(stats_file);
+  const JsonFile json(stats_file);
+  const std::string file = stats_file.string();
+  Place place;
   try {
-    return run_of(Json::parse(text), name);
+    return run_of(json.value(), file, place);
   } catch (const Json::exception& error) {
-    throw InputError(name, 0,
-                     std::string("is not what cigsim run of this version writes (") + error.what() +
-                         "); repeat the run");
+    refuse_run(json, file, place, json_reason(error.what()));
   } catch (const std::invalid_argument& error) {
-    throw InputError(name, 0,
-                     std::string("is not what cigsim run of this version writes (") + error.what() +
-                         "); repeat the run");
+    refuse_run(json, file, place, error.what());
   }
 }
 

@@ -30,7 +30,7 @@ struct RecordedRun {
   nlohmann::ordered_json stats;  ///< all of it but the frames
 };
 
-/// Throws InputError, naming the file, when it is missing or no run's.
+/// Throws InputError, naming the file and the line, when it is missing or no run's.
 RecordedRun read_recorded_run(const std::filesystem::path& stats_file);
 
 }  // namespace cigsim

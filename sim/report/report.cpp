@@ -16,6 +16,13 @@ void append(std::vector<std::string>& notes, const Json& more) {
   for (const Json& note : more) notes.push_back(note.get<std::string>());
 }
 
+// What was found instead, in brackets.
+std::string words_of(const std::vector<std::string>& notes) {
+  std::string words;
+  for (const std::string& note : notes) words += (words.empty() ? " (" : "; ") + note;
+  return words.empty() ? words : words + ")";
+}
+
 // What the page is about: the scene, the experiment or else the folder.
 std::string title_of(const Json& data, const std::filesystem::path& folder) {
   if (!data["run"].is_null()) return data["run"]["scene"].get<std::string>();
@@ -49,7 +56,8 @@ Report write_report(const ReportOptions& options) {
   if (data["run"].is_null() && report.experiments + report.drawings == 0)
     throw InputError(
         folder.string(), 0,
-        "holds neither a run nor an experiment; write one with --out, then its report");
+        "holds neither a run nor an experiment; write one with --out, then its report" +
+            words_of(report.notes));
   data["title"] = title_of(data, folder);
   const std::string page = report_page(data["title"].get<std::string>(), data);
   report.bytes = page.size();

@@ -52,7 +52,7 @@ std::vector<Plot> plots(const std::vector<Accumulation>& results) {
     plot.log_x = plot.log_y = true;
     for (const Accumulation& a : results) {
       if (a.raster != raster) continue;
-      Curve worst{a.format.name, {}}, bound{a.format.name + ", bound", {}, CurveStyle::kLine};
+      Curve worst{a.format.name, {}}, bound{a.format.name + ", bound", {}, CurveStyle::kBound};
       for (const AccumulationPoint& p : a.points) {
         worst.points.push_back({static_cast<double>(p.lines), p.worst});
         bound.points.push_back({static_cast<double>(p.lines), p.bound});

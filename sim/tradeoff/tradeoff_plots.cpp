@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string_view>
 
 #include "sim/drawing/plot.hpp"
 #include "sim/tradeoff/tradeoff.hpp"
@@ -17,7 +20,18 @@ std::vector<const TradeoffPoint*> measured_points(const Tradeoff& t) {
   return points;
 }
 
-// What the marks of a point say: few enough kinds to tell their colours apart.
+// What the marks of a point say, few enough to tell them apart: the same in every plot.
+struct Kind {
+  const char* name;
+  const char* colour;
+  Mark mark;
+};
+constexpr Kind kKinds[] = {
+    {"number", "#2f6fab", Mark::kDisc},        {"level", "#3c8f5c", Mark::kSquare},
+    {"words", "#d1762b", Mark::kTriangle},     {"raster", "#8b5ea8", Mark::kDiamond},
+    {"detail", "#1395a5", Mark::kPointedDown}, {"method", "#7a6a4f", Mark::kPentagon},
+    {"together", "#3a3a3a", Mark::kCross}};
+
 std::string kind_of(const TradeoffPoint& point) {
   if (point.knob == "default") return "number";
   for (const char* method : {"priority", "resolver", "retrieval", "coherence"})
@@ -25,12 +39,13 @@ std::string kind_of(const TradeoffPoint& point) {
   return point.knob;
 }
 
-std::vector<std::string> kinds(const Tradeoff& t) {
-  std::vector<std::string> names;
-  for (const TradeoffPoint& point : t.points)
-    if (std::find(names.begin(), names.end(), kind_of(point)) == names.end())
-      names.push_back(kind_of(point));
-  return names;
+Curve marks_of(const Kind& kind) {
+  Curve curve;
+  curve.label = kind.name;
+  curve.style = CurveStyle::kMarks;
+  curve.colour = kind.colour;
+  curve.mark = kind.mark;
+  return curve;
 }
 
 // Time against an error.
@@ -44,12 +59,10 @@ Plot cost_plot(const Tradeoff& t, const char* title, const char* y_label, ErrorO
   const auto at = [&](const TradeoffPoint& p) {
     return Vec2{p.measured.frame_ms.median, kPercent * error_of(p.measured.error())};
   };
-  for (const std::string& kind : kinds(t)) {
-    Curve curve;
-    curve.label = kind;
-    curve.style = CurveStyle::kMarks;
+  for (const Kind& kind : kKinds) {
+    Curve curve = marks_of(kind);
     for (const TradeoffPoint* point : measured_points(t))
-      if (kind_of(*point) == kind) curve.points.push_back(at(*point));
+      if (kind_of(*point) == kind.name) curve.points.push_back(at(*point));
     plot.curves.push_back(std::move(curve));
   }
   return plot;
@@ -76,11 +89,15 @@ Plot words_plot(const Tradeoff& t) {
   struct Field {
     const char* name;
     int WordFormats::*bits;
+    const char* colour;
+    Mark mark;
   };
-  constexpr Field kFields[] = {{"coordinate_bits", &WordFormats::coordinate_bits},
-                               {"direction_fraction", &WordFormats::direction_fraction},
-                               {"quotient_fraction", &WordFormats::quotient_fraction},
-                               {"raster_fraction", &WordFormats::raster_fraction}};
+  constexpr Field kFields[] = {
+      // shades of the kind "words"
+      {"coordinate_bits", &WordFormats::coordinate_bits, "#7f2f04", Mark::kDisc},
+      {"direction_fraction", &WordFormats::direction_fraction, "#d1762b", Mark::kTriangle},
+      {"quotient_fraction", &WordFormats::quotient_fraction, "#b3365b", Mark::kSquare},
+      {"raster_fraction", &WordFormats::raster_fraction, "#c79a1b", Mark::kDiamond}};
   Plot plot;
   plot.title = "Machine words of other widths";
   plot.x_label = "bits";
@@ -89,6 +106,8 @@ Plot words_plot(const Tradeoff& t) {
   for (const Field& field : kFields) {
     Curve curve;
     curve.label = field.name;
+    curve.colour = field.colour;
+    curve.mark = field.mark;
     for (const TradeoffPoint* p : measured_points(t)) {
       const Setting& setting = p->measured.setting;
       if (setting.name != "machine" && !setting.name.starts_with(field.name)) continue;
@@ -102,22 +121,22 @@ Plot words_plot(const Tradeoff& t) {
   return plot;
 }
 
-Plot memory_plot(const Tradeoff& t) {
+// A row a number and a level: they differ in little but time.
+Plot rows_plot(const Tradeoff& t) {
   Plot plot;
-  plot.title = "Levels";
+  plot.title = "Numbers and levels: time and memory";
   plot.x_label = "ms a frame";
-  plot.y_label = "memory of the machine, MiB";
-  plot.log_x = plot.log_y = true;
-  for (const char* knob : {"number", "level"}) {
-    Curve curve;
-    curve.label = knob;
-    curve.style = CurveStyle::kMarks;
+  plot.log_x = true;
+  for (const Kind& kind : kKinds) {
+    if (kind.name != std::string_view("number") && kind.name != std::string_view("level")) continue;
+    Curve curve = marks_of(kind);
     for (const TradeoffPoint* p : measured_points(t)) {
-      // Names of whole machines; those of mixes would cover each other.
-      const std::string& name = p->measured.setting.name;
-      if (kind_of(*p) != knob || name.find('=') != std::string::npos) continue;
-      curve.points.push_back({p->measured.frame_ms.median, p->measured.memory_mib.median});
-      curve.names.push_back(name);
+      if (kind_of(*p) != kind.name) continue;
+      const double ms = p->measured.frame_ms.median;
+      curve.points.push_back({ms, static_cast<double>(plot.rows.size())});
+      curve.names.push_back(
+          fmt::format("{:.3g} ms, {:.1f} MiB", ms, p->measured.memory_mib.median));
+      plot.rows.push_back(p->measured.setting.name);
     }
     plot.curves.push_back(std::move(curve));
   }
@@ -135,7 +154,7 @@ std::filesystem::path write_tradeoff_plots(const Tradeoff& t, const std::filesys
                             [](const PictureError& e) { return e.mean_colour(); }));
   plots.back().notes = {"marks without a difference are left out"};
   plots.push_back(words_plot(t));
-  plots.push_back(memory_plot(t));
+  plots.push_back(rows_plot(t));
   const std::filesystem::path file = folder / "tradeoff.svg";
   write_plots(plots, 2, file, kSize);
   return file;

@@ -9,7 +9,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "sim/drawing/svg.hpp"
+#include "sim/markup.hpp"
 
 namespace cigsim {
 namespace {
@@ -194,20 +194,20 @@ class Drawing {
     if (row.kind == ViewRow::Kind::kHeading) {
       const double base = top + kHeading - 10;
       put("<text class=\"h\" x=\"{}\" y=\"{:.1f}\">{}</text>", kMargin, base,
-          svg_escaped(row.label));
+          markup_escaped(row.label));
       put("<path class=\"r\" d=\"M{} {:.1f}H{}\"/>\n", kMargin, base + 5.5, right_);
       return;
     }
     const double middle = top + kRow / 2;
     const WaveTrace& trace = wave_.traces[row.trace];
-    put("<g><title>{}{}</title>\n", svg_escaped(trace.signal.name),
-        svg_escaped(trace.signal.range));
+    put("<g><title>{}{}</title>\n", markup_escaped(trace.signal.name),
+        markup_escaped(trace.signal.range));
     const double space = left_ - kGap / 2 - kMargin - indent_;
     const auto fits = static_cast<std::size_t>(space / text_width(1, kLabel));
     const std::string label =
         row.label.size() <= fits ? row.label : "…" + row.label.substr(row.label.size() - fits + 1);
     put("<text class=\"n\" x=\"{}\" y=\"{:.1f}\">{}</text>\n", kMargin + indent_, middle + 4,
-        svg_escaped(label));
+        markup_escaped(label));
     if (trace.signal.width == 1 && !trace.signal.real)
       draw_bit(trace, middle);
     else
@@ -332,7 +332,7 @@ class Drawing {
     if (!large && text_width(text.size(), kSmallText) > space) return;
     put("<text class=\"{}{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", large ? "v" : "w",
         unknown ? " y" : "", (s.begin + s.end) / 2, middle + (large ? 3.8 : 3.2),
-        svg_escaped(text));
+        markup_escaped(text));
   }
 
   const Wave& wave_;

@@ -12,6 +12,7 @@
 #include "sim/drawing/heat_map.hpp"
 #include "sim/drawing/plot.hpp"
 #include "sim/drawing/svg.hpp"
+#include "sim/markup.hpp"
 #include "tests/support/scratch.hpp"
 
 namespace cigsim {
@@ -44,7 +45,7 @@ TEST(SvgDrawing, HoldsItsPartsAndEscapesWords) {
                      "stroke-dasharray=\"4 3\""),
             std::string::npos);
   EXPECT_NE(svg.find("points=\"0,0 10,0 0,10 \""), std::string::npos);
-  EXPECT_NE(svg.find(">&quot;S&amp;P&quot;&lt;1&gt;</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">&quot;S&amp;P&quot; &lt;1&gt;</text>"), std::string::npos);
   EXPECT_EQ(count_of(svg, "<circle"), 1u);
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
 }
@@ -68,7 +69,7 @@ TEST_F(PlotFile, DrawsEveryCurveOfEveryPlot) {
   const std::string svg = test::bytes_of(file);
   for (const char* words : {"It's a 'power' law", "n^2", "y = x^2", "squares", "bars", "second"})
     EXPECT_TRUE(svg.find(words) != std::string::npos ||
-                svg.find(svg_escaped(words)) != std::string::npos)
+                svg.find(markup_escaped(words)) != std::string::npos)
         << words;
   EXPECT_TRUE(svg.find("width=\"960\" height=\"360\"") != std::string::npos);
   EXPECT_TRUE(svg.find("</svg>") != std::string::npos);
@@ -96,10 +97,41 @@ TEST_F(PlotFile, MarksAFrontAndNamesItsPoints) {
   const fs::path file = scratch_.path("front.svg");
   write_plots({plot}, 1, file, {.width = 800, .height = 500});
   const std::string svg = test::bytes_of(file);
-  for (const char* words : {"a quoted name", "second", "Pareto front"})
-    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  for (const char* words : {"a \"quoted\" name", "second", "Pareto front"})
+    EXPECT_TRUE(svg.find(words) != std::string::npos ||
+                svg.find(markup_escaped(words)) != std::string::npos)
+        << words;
   EXPECT_EQ(svg.find("cannot be drawn"), std::string::npos);
   EXPECT_NE(svg.find("width=\"800\" height=\"500\""), std::string::npos);
+}
+
+TEST_F(PlotFile, RowsHaveNamesAndCurvesTheirColours) {
+  const Plot plot{.title = "rows",
+                  .log_x = true,
+                  .rows = {"functional", "rtl"},
+                  .curves = {{.label = "levels",
+                              .points = {{0.5, 0}, {400, 1}},
+                              .style = CurveStyle::kMarks,
+                              .names = {"0.5 ms", "400 ms"},
+                              .colour = "#123456",
+                              .mark = Mark::kDiamond}}};
+  const fs::path file = scratch_.path("rows.svg");
+  write_plots({plot}, 1, file);
+  const std::string svg = test::bytes_of(file);
+  for (const char* words : {"functional", "rtl", "0.5 ms", "400 ms", "levels"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  EXPECT_TRUE(svg.find("#123456") != std::string::npos ||
+              svg.find("rgb( 18,  52,  86)") != std::string::npos);
+}
+
+TEST(PlotScript, ABoundHasTheColourOfItsCurveInEveryPlot) {
+  const Plot plot{.title = "t",
+                  .curves = {{"a", {{1, 1}, {2, 2}}},
+                             {"a, bound", {{1, 2}, {2, 3}}, CurveStyle::kBound},
+                             {"b", {{1, 1}, {2, 2}}}}};
+  const std::string script = plot_script({plot}, 1);
+  const std::string first = script.substr(script.find("lc rgb '", script.find("\nplot ")), 16);
+  EXPECT_EQ(count_of(script, first), 2u) << first;
 }
 
 TEST_F(PlotFile, AHeatMapHasACellAValue) {

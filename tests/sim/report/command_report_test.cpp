@@ -126,11 +126,19 @@ TEST_F(ReportTest, OfExperimentsTakesTheirFiguresAndDrawings) {
   put("e/a.json", R"({"experiment": "a", "seed": 1})");
   put("e/other.json", "[1, 2]");
   put("e/b.svg", "<svg/>");
+  put("e/broken.json", "{\n\"experiment\": 1,\n}");
+  put("e/deep.json", std::string(100000, '['));
+  put("e/empty.json", "");
   const Outcome outcome = cigsim({"report", "e"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("other.json tells of no experiment"), std::string::npos);
+  for (const char* words :
+       {"broken.json:3: not valid JSON", "deep.json:1: is nested", "empty.json"})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("json.exception"), std::string::npos) << outcome.out;
   const Json data = data_of(contents("e/report.html"));
   EXPECT_TRUE(data["run"].is_null());
+  EXPECT_EQ(data["experiments"]["experiments"].size(), 1u);
   EXPECT_EQ(data["experiments"]["experiments"][0]["figures"]["seed"], 1);
   EXPECT_EQ(data["experiments"]["drawings"][0]["uri"], "data:image/svg+xml;base64,PHN2Zy8+");
 }
@@ -141,7 +149,7 @@ TEST_F(ReportTest, RefusesWhatItCannotUse) {
   std::filesystem::create_directory(folder_ / "empty");
   expect_unusable({"report", "empty"}, "neither a run nor an experiment");
   put("empty/x.json", "{");
-  expect_unusable({"report", "empty"}, "x.json: is broken JSON");
+  expect_unusable({"report", "empty"}, "x.json:1: not valid JSON");
   run();
   expect_unusable({"report", "out", "--frames", "0"}, "--frames");
   expect_unusable({"report", "out", "-o", "page.pdf"}, "-o");
@@ -165,8 +173,17 @@ TEST_F(ReportTest, RefusesFiguresThatAreNoRuns) {
     expect_unusable({"report", "out"}, "is not what cigsim run of this version writes");
     put("out/stats.json", good);
   }
+  Json without = Json::parse(good);
+  without["frames"][0].erase("picture");
+  put("out/stats.json", without.dump(1));
+  const Outcome outcome = cigsim({"report", "out"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("frames/0: key 'picture' not found; repeat"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(outcome.err.find("json.exception"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("stats.json: "), std::string::npos) << outcome.err;  // has a line
   put("out/stats.json", good.substr(0, good.size() / 2));
-  expect_unusable({"report", "out"}, "stats.json");
+  expect_unusable({"report", "out"}, "not valid JSON");
   put("out/stats.json", good);
   put("out/frame-0000.png", "no picture");
   expect_unusable({"report", "out"}, "is no PNG of 48 x 36");
