@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "models/geometry_processor/functional_certified.hpp"
 #include "models/geometry_processor/functional_words.hpp"
 #include "models/machine/scale.hpp"
 #include "sim/stability/posing.hpp"
+#include "sim/stability/shown_faces.hpp"
 
 namespace cigsim::stability {
 namespace {
@@ -41,6 +43,18 @@ void take_edges(const EdgeList<Certified>& list, Drawing& out) {
 }
 
 template <class N>
+std::vector<bool> shown(const FaceSet& set, const Vec3& eye) {
+  // Certified sides are those of doubles.
+  using Decider = std::conditional_t<std::is_same_v<N, Certified>, double, N>;
+  std::vector<bool> out;
+  for (const PreparedFace& face : set.faces) {
+    const int facing = geometry_processor::Functional<Decider>::facing(set.planes[face.plane], eye);
+    out.push_back(facing > 0 || (facing < 0 && face.two_sided));
+  }
+  return out;
+}
+
+template <class N>
 Drawing draw_as(const Database& database, const ViewTransform& view) {
   const FaceSet& set = database.systems[0].set;
   const ItemRef item{SetId::kStatic, 0};
@@ -49,6 +63,7 @@ Drawing draw_as(const Database& database, const ViewTransform& view) {
   Drawing out;
   edge_orderer::Functional<N>().compute(edges, view.raster, out.crossings);
   take_edges(edges, out);
+  out.shown = shown<N>(set, view.eye);
   return out;
 }
 
@@ -69,6 +84,7 @@ Drawing draw_in_words(const Database& database, const ViewTransform& view,
   geometry_processor::FunctionalWords(machine).compute(bank, items, edges, figures);
   edge_orderer::Functional<MachineWord>().compute(edges, view.raster, out.crossings);
   take_edges(edges, out);
+  out.shown = shown_faces(machine, bank, items[0]);
   out.doubtful = overflows + figures.overflows > 0;
   return out;
 }
@@ -123,7 +139,10 @@ Database database_of(std::span<const Triangle> triangles, bool two_sided) {
 
 Drawing draw(std::span<const Triangle> triangles, bool two_sided, const ViewTransform& view,
              const Format& format) {
-  const Database database = database_of(triangles, two_sided);
+  return draw(database_of(triangles, two_sided), view, format);
+}
+
+Drawing draw(const Database& database, const ViewTransform& view, const Format& format) {
   switch (format.arithmetic) {
     case Arithmetic::kFloat:
       return draw_as<float>(database, view);

@@ -27,6 +27,9 @@ struct Drawing {
   std::vector<Line> edges;
   /// Crossing::face is the place in `faces`.
   edge_orderer::OrderedCrossings crossings;
+  /// By triangle: the format takes it for one to be shown, whether or not anything comes out. Empty
+  /// where words are not asked: nothing of the item is in view.
+  std::vector<bool> shown;
   bool doubtful = false;  ///< words saturated, or an edge's place is not finite
 
   /// Elements [first, end) of a line that a triangle covers; first == end: none.
@@ -40,7 +43,9 @@ struct Drawing {
 Drawing draw(std::span<const Triangle> triangles, bool two_sided, const ViewTransform& view,
              const Format& format);
 
-/// The database that draw() draws: for those who need its words too.
+/// The database that it draws: for those who need its words too, or change it.
 Database database_of(std::span<const Triangle> triangles, bool two_sided);
+/// A database of that kind.
+Drawing draw(const Database& database, const ViewTransform& view, const Format& format);
 
 }  // namespace cigsim::stability

@@ -13,6 +13,7 @@
 #include "models/priority_processor/functional.hpp"
 #include "sim/embedded.hpp"
 #include "sim/functional_machine.hpp"
+#include "sim/stability/directions.hpp"
 
 namespace cigsim::stability {
 namespace {
@@ -23,23 +24,6 @@ constexpr Raster kRaster{64, 64};
 constexpr Raster kCoarseRaster{16, 16};
 constexpr double kFov = 60, kWideFov = 140;
 constexpr int kTries = 12;  // viewpoints looked at for one that is clear of all planes
-
-double length(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
-
-Vec3 random_direction(Random& random) {
-  for (;;) {
-    const Vec3 d{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-    const double size = length(d);
-    if (size > 0.1 && size < 1) return d * (1 / size);
-  }
-}
-
-Vec3 unit(const Vec3& v) {
-  const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(size > 0)) return {};
-  const Vec3 scaled{v.x / size, v.y / size, v.z / size};
-  return scaled * (1 / length(scaled));
-}
 
 SearchWorld bounded(std::string name, Environment environment) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -230,7 +214,7 @@ std::optional<Viewpoint> SteppedWorld::beside_a_plane(Random& random) const {
   const auto& planes = separating.empty() || random.below(2) == 0 ? facing : separating;
   if (planes.empty()) return std::nullopt;
   const Plane& plane = *planes[random.below(planes.size())];
-  const Vec3 n = unit(plane.normal);
+  const Vec3 n = direction_of(plane.normal);
   Vec3& eye = viewpoint.eye.position;
   const double above = std::ldexp(s.measures.largest, -step_);
   eye = eye - n * dot(n, eye - plane.exact.p) + n * (random.below(2) == 0 ? above : -above);
@@ -247,8 +231,8 @@ std::optional<Viewpoint> SteppedWorld::before_a_face(Random& random) const {
   for (std::uint32_t c = 0; c < face.corner_count; ++c)
     middle = middle + set.vertices[item.first_vertex + set.corners[face.first_corner + c]] * share;
   const double height = std::ldexp(sight(plain(random)).measures.largest, -step_);
-  const Vec3 n = unit(set.planes[face.plane].normal);
-  const Vec3 beside = middle + unit(cross(n, random_direction(random))) * (1.5 * height);
+  const Vec3 n = direction_of(set.planes[face.plane].normal);
+  const Vec3 beside = middle + direction_of(cross(n, random_direction(random))) * (1.5 * height);
   return looking(middle + n * height, beside, kWideFov);
 }
 

@@ -6,36 +6,14 @@
 
 #include "models/frame_calculator/functional.hpp"
 #include "models/frame_calculator/memory_loader.hpp"
-#include "models/geometry_processor/face_walk.hpp"
 #include "models/priority_processor/functional.hpp"
 #include "models/priority_processor/functional_words.hpp"
+#include "sim/stability/directions.hpp"
 #include "sim/stability/edge_distance.hpp"
+#include "sim/stability/shown_faces.hpp"
+#include "sim/stability/sight.hpp"
 
 namespace cigsim::stability {
-namespace {
-
-// Hears which faces of an item the geometry processor's walk shows.
-struct Listener {
-  ItemWord item;
-  bool taken = false;
-  std::vector<bool> shown = {};
-
-  void spend(geometry_processor::Step step, std::size_t = 1) {
-    using geometry_processor::Step;
-    if (step == Step::kBack || step == Step::kShown) shown.push_back(step == Step::kShown);
-  }
-  bool late() const { return false; }
-  ItemWord take() {
-    if (taken) return {SetId::kStatic, 0, true};
-    taken = true;
-    return item;
-  }
-  void edge(const EdgeWord&) {}
-  void face(const FaceWord&) {}
-};
-
-}  // namespace
-
 MachineOptions options_for(const Format& format, const Raster& raster, double eye_reach) {
   MachineOptions options;
   options.raster = raster;
@@ -81,10 +59,7 @@ std::array<const FaceSet*, 3> ExactFrame::sets() const {
   return {&database_.systems[0].set, &moving_, &database_.ground};
 }
 
-double ExactFrame::eye_reach() const {
-  const Vec3& eye = viewpoint_.eye.position;
-  return std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)});
-}
+double ExactFrame::eye_reach() const { return largest_coordinate(viewpoint_.eye.position); }
 
 FrameFaults ExactFrame::judge(const Format& format) const {
   FrameFaults faults;
@@ -138,7 +113,7 @@ void ExactFrame::compare_decisions(FrameFaults& faults) const {
     for (std::uint32_t f = item.first_face; f < item.first_face + item.face_count; ++f) {
       const Plane& plane = from.planes[from.faces[f].plane];
       const int got = geometry_processor::Functional<N>::facing(plane, active_.view.eye);
-      faults.facings += got != side(plane, active_.view.eye);
+      faults.facings += got != exact_side(plane.exact, active_.view.eye);
     }
   }
 }
@@ -157,15 +132,12 @@ void ExactFrame::compare_words(const Format& format, FrameFaults& faults) const 
   for (const ItemRef& ref : list_.items) {
     const FaceSet& from = *sets()[static_cast<std::size_t>(ref.set)];
     const Item& item = from.items[ref.item];
-    Listener listener{{ref.set, ref.item, false}};
-    geometry_processor::Figures geometry;
-    geometry_processor::FaceWalk<Listener>(options.description, listener)
-        .run(loader.geometry_banks()[0], geometry);
-    // An item that lies wholly outside the pyramid is not asked about its faces.
-    for (std::uint32_t f = 0; f < listener.shown.size() && f < item.face_count; ++f) {
+    const std::vector<bool> shown =
+        shown_faces(options.description, loader.geometry_banks()[0], {ref.set, ref.item, false});
+    for (std::uint32_t f = 0; f < shown.size() && f < item.face_count; ++f) {
       const PreparedFace& face = from.faces[item.first_face + f];
-      const int right = side(from.planes[face.plane], active_.view.eye);
-      faults.facings += listener.shown[f] != (right > 0 || (right < 0 && face.two_sided));
+      const int right = exact_side(from.planes[face.plane].exact, active_.view.eye);
+      faults.facings += shown[f] != (right > 0 || (right < 0 && face.two_sided));
     }
   }
 }

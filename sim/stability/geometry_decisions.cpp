@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The geometry processor's decisions about one face: is its front seen, what does the pyramid of
-// vision leave of it, on which lines does it begin and end, where do its edges cross lines.
+// The geometry processor's decisions about one face: what does the pyramid of vision leave of it,
+// on which lines does it begin and end, where do its edges cross lines.
 #include <cmath>
 #include <numbers>
 
@@ -11,27 +11,7 @@
 namespace cigsim::stability {
 namespace {
 
-Triangle corners(const Instance& instance, std::size_t first = 0) {
-  return {instance.points[first], instance.points[first + 1], instance.points[first + 2]};
-}
-
-void add(Instance& instance, const Triangle& t) {
-  instance.points.insert(instance.points.end(), t.begin(), t.end());
-}
-
-// A triangle, and an eyepoint that looks at a point of it.
-Instance pose_face(const Material& material, const Extremes& extremes, Random& random) {
-  const Triangle base = triangle_of(material, extremes, random);
-  const Place place(extremes, random);
-  Instance instance;
-  const Vec3 eye = place(eyepoint_for(material, base, extremes, random));
-  const Vec3 target = place(point_of(base, random));
-  add(instance, place(base));
-  instance.view = view_towards(eye, target, extremes, random);
-  return instance;
-}
-
-// The same with the whole of it within the pyramid: seen from so far that it fills most of it.
+// A triangle wholly within the pyramid: seen from so far that it fills most of it.
 Instance pose_whole_face(const Material& material, Extremes extremes, Random& random) {
   const double half = std::tan(extremes.fov * std::numbers::pi / 360);
   Material without_eyes = material;
@@ -42,7 +22,7 @@ Instance pose_whole_face(const Material& material, Extremes extremes, Random& ra
   const Place place(extremes, random);
   Instance instance;
   const Vec3 eye = place(eyepoint_for(without_eyes, base, extremes, random));
-  add(instance, place(base));
+  add_corners(instance, place(base));
   instance.view = view_towards(eye, place(centre_of(base)), extremes, random);
   return instance;
 }
@@ -58,36 +38,6 @@ Border through_eye(const ViewTransform& view, const ExactVec& normal) {
 Border line_border(const ViewTransform& view, int line) {
   const Exact above = Exact(view.raster.height) / 2 - line - Exact(0.5);
   return through_eye(view, {above, 0, Exact(-Exact(view.focal))});
-}
-
-// ---- facing
-
-Instance pose_facing(const Material& material, const Extremes& extremes, Random& random) {
-  Instance instance = pose_face(material, extremes, random);
-  if (!extremes.ulps) return instance;
-  const Triangle t = corners(instance);
-  const Vec3 eye = near_border(instance.view.eye, border_of(plane_of(t)), *extremes.ulps, random);
-  instance.view = view_towards(eye, point_of(t, random), extremes, random);
-  return instance;
-}
-
-// The face and its back: the one that exact arithmetic turns away must not be drawn.
-std::vector<Outcome> judge_facing(const Instance& instance, std::span<const Format> formats) {
-  const Triangle front = corners(instance);
-  const Triangle both[2] = {front, {front[0], front[2], front[1]}};
-  const PlaneDefinition plane = plane_of(front);
-  const int facing = exact_side(plane, instance.view.eye);
-  const double border = distance_from(plane, instance.view.eye);
-  return in_each(formats, [&](const Format& format) {
-    const Drawing drawing = draw(both, false, instance.view, format);
-    bool right = true;
-    for (const Drawing::Face& face : drawing.faces)
-      right &= facing == (face.triangle == 0 ? 1 : -1);
-    std::optional<double> bound = 0;
-    if (format.arithmetic == Arithmetic::kFloat || format.arithmetic == Arithmetic::kMachine)
-      bound.reset();
-    return drawing.doubtful ? Outcome{Verdict::kDoubtful, {}, {}} : answer(right, border, bound);
-  });
 }
 
 // ---- pyramid, edge
@@ -180,17 +130,6 @@ std::vector<Outcome> judge_projection(const Instance& instance, std::span<const 
 }
 
 }  // namespace
-
-Decision facing_decision() {
-  return {"facing",
-          "Whether the eyepoint sees a face from its front, from its back, or edge on",
-          "environment units",
-          {Axis::kScale, Axis::kOffset, Axis::kNear, Axis::kSliver, Axis::kEdgeOn, Axis::kFov,
-           Axis::kDistance, Axis::kMixed},
-          false,
-          pose_facing,
-          judge_facing};
-}
 
 Decision pyramid_decision() {
   return {"pyramid",

@@ -5,21 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/stability/directions.hpp"
+
 namespace cigsim::stability {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double length(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
-double largest_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-// A vector of about unit length in the same direction, also where squares would leave the doubles.
-Vec3 direction(const Vec3& v) {
-  const double size = largest_of(v);
-  if (!(size > 0)) return {};
-  const Vec3 scaled{v.x / size, v.y / size, v.z / size};
-  return scaled * (1 / length(scaled));
-}
 
 // An eyepoint level with a plane across an axis, at a coordinate of so few bits beside the largest
 // one that every format holds it: equal coordinates stay equal, and no rounding parts the two.
@@ -37,19 +28,19 @@ bool level_with(const Plane& plane, const Vec3& eye, double largest) {
 }
 
 double height(const Plane& plane, const Vec3& eye, double largest) {
-  const Vec3 n = direction(plane.normal);
+  const Vec3 n = direction_of(plane.normal);
   if (n == Vec3{} || level_with(plane, eye, largest)) return kInfinity;
   return std::abs(dot(n, eye - plane.exact.p));
 }
 
 double to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = direction(b - a);
+  const Vec3 along = direction_of(b - a);
   const double t = std::clamp(dot(p - a, along), 0.0, length(b - a));
   return length(p - (a + along * t));
 }
 
 double to_face(const FaceSet& set, const Item& item, const PreparedFace& face, const Vec3& eye) {
-  const Vec3 n = direction(set.planes[face.plane].normal);
+  const Vec3 n = direction_of(set.planes[face.plane].normal);
   const auto corner = [&](std::uint32_t c) {
     return set.vertices[item.first_vertex + set.corners[face.first_corner + c]];
   };
@@ -57,7 +48,7 @@ double to_face(const FaceSet& set, const Item& item, const PreparedFace& face, c
   bool inside = true;
   for (std::uint32_t c = 0; c < face.corner_count; ++c) {
     const Vec3 a = corner(c), b = corner((c + 1) % face.corner_count);
-    inside = inside && dot(cross(n, direction(b - a)), eye - a) >= 0;
+    inside = inside && dot(cross(n, direction_of(b - a)), eye - a) >= 0;
     nearest = std::min(nearest, to_segment(eye, a, b));
   }
   return inside ? std::abs(dot(n, eye - corner(0))) : nearest;
@@ -155,12 +146,12 @@ Measures measure(const Database& database, const ActiveEnvironment& active, cons
   const ViewTransform& view = active.view;
   Measures m;
   m.smallest = kInfinity;
-  m.largest = largest_of(view.eye);
+  m.largest = largest_coordinate(view.eye);
   m.lines = std::max(view.raster.width, view.raster.height);
   for (const ItemRef& ref : items) {
     const Sphere& sphere = sets[static_cast<std::size_t>(ref.set)]->items[ref.item].sphere;
     m.smallest = std::min(m.smallest, sphere.radius);
-    m.largest = std::max(m.largest, largest_of(sphere.centre) + sphere.radius);
+    m.largest = std::max(m.largest, largest_coordinate(sphere.centre) + sphere.radius);
   }
   const Nearest nearest = nearest_faces(sets, items, view);
   m.demand = m.largest / nearest.face * view.focal;

@@ -49,25 +49,6 @@ PlaneDefinition Place::operator()(const PlaneDefinition& plane) const {
   return placed;
 }
 
-double length(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
-
-Vec3 unit(const Vec3& v) {
-  const double l = length(v);
-  return l > 0 ? Vec3{v.x / l, v.y / l, v.z / l} : Vec3{1, 0, 0};
-}
-
-double largest_coordinate(const Vec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-Vec3 random_direction(Random& random) {
-  for (;;) {
-    const Vec3 p = random_point(random);
-    const double l = length(p);
-    if (l > 0.1 && l < 0.5) return unit(p);
-  }
-}
-
 Triangle triangle_of(const Material& material, const Extremes& extremes, Random& random) {
   if (!material.triangles.empty())
     return squeezed(material.triangles[random.below(material.triangles.size())], extremes.aspect);
@@ -127,6 +108,25 @@ ViewTransform view_towards(const Vec3& eye, const Vec3& target, const Extremes& 
   viewpoint.eye.roll = random.between(-180, 180);
   viewpoint.fov = extremes.fov;
   return frame_calculator::view_transform(viewpoint, extremes.raster);
+}
+
+Instance pose_face(const Material& material, const Extremes& extremes, Random& random) {
+  const Triangle base = triangle_of(material, extremes, random);
+  const Place place(extremes, random);
+  Instance instance;
+  const Vec3 eye = place(eyepoint_for(material, base, extremes, random));
+  const Vec3 target = place(point_of(base, random));
+  add_corners(instance, place(base));
+  instance.view = view_towards(eye, target, extremes, random);
+  return instance;
+}
+
+void add_corners(Instance& instance, const Triangle& t) {
+  instance.points.insert(instance.points.end(), t.begin(), t.end());
+}
+
+Triangle corners(const Instance& instance) {
+  return {instance.points[0], instance.points[1], instance.points[2]};
 }
 
 Border border_of(const PlaneDefinition& plane) {

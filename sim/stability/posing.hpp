@@ -5,6 +5,7 @@
 
 #include "models/numeric/number.hpp"
 #include "sim/stability/decision.hpp"
+#include "sim/stability/directions.hpp"
 
 namespace cigsim::stability {
 
@@ -22,13 +23,6 @@ class Place {
   double scale_;
   Vec3 shift_;
 };
-
-/// Of unit length but for rounding.
-Vec3 random_direction(Random& random);
-/// Of unit length; a zero vector gives the x axis.
-Vec3 unit(const Vec3& v);
-double length(const Vec3& v);
-double largest_coordinate(const Vec3& v);
 
 /// A triangle of the material, squeezed to the aspect; not placed.
 Triangle triangle_of(const Material& material, const Extremes& extremes, Random& random);
@@ -50,6 +44,12 @@ ViewTransform view_towards(const Vec3& eye, const Vec3& target, const Extremes& 
                            Random& random);
 /// A point of the triangle, every second time on its border.
 Vec3 point_of(const Triangle& t, Random& random);
+
+/// A triangle, and an eyepoint that looks at a point of it: points[0..2] and the view.
+Instance pose_face(const Material& material, const Extremes& extremes, Random& random);
+void add_corners(Instance& instance, const Triangle& t);
+/// Those of an instance's first triangle.
+Triangle corners(const Instance& instance);
 
 /// The plane normal · (x - through) = 0, which no double need hold.
 struct Border {

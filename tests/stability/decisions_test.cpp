@@ -76,7 +76,8 @@ void expect_bounds_held(const SweepPlan& plan) {
 TEST(Decisions, WordsKeepTheBoundsThatFollowFromTheirWidths) {
   const std::vector<Format> words =
       formats({"machine", "nasa1968", "machine:24,16,12,8", "machine:20,16,12,8"});
-  expect_bounds_held(plan({side_decision(), listability_decision(), hither_decision()}, words, 30));
+  expect_bounds_held(plan(
+      {side_decision(), listability_decision(), facing_decision(), hither_decision()}, words, 30));
   expect_bounds_held(plan({pyramid_decision(), projection_decision(), edge_decision()}, words, 4));
 }
 
