@@ -3,9 +3,11 @@
 // lines on which the crossing lies within its error bound of a sample are stepped again exactly.
 #pragma once
 
-#include <unordered_map>
+#include <variant>
+#include <vector>
 
 #include "models/edge_orderer/exact_line.hpp"
+#include "models/edge_orderer/short_line.hpp"
 #include "models/edge_orderer/stepper.hpp"
 
 namespace cigsim::edge_orderer {
@@ -36,11 +38,20 @@ class ListStepper<Certified> {
   std::uint64_t redone() const { return redone_; }
 
  private:
+  // An edge without rounding, in whichever numbers hold it.
+  using Line = std::variant<ShortLine, ExactLine>;
+
   void redo(const EdgeList<Certified>& list, std::uint32_t edge, int begin, int end, int width,
             std::int32_t* element);
+  const Line& exact_line(const EdgeList<Certified>& list, std::uint32_t edge);
+  Line make_line(const EdgeList<Certified>& list, const Edge<Certified>& edge) const;
 
-  ExactAxes axes_;  // of the list's view, once an edge was needed
-  std::unordered_map<std::uint32_t, ExactLine> exact_;  // by edge, those that were needed
+  // Of the list's view, once an edge was needed.
+  ExactAxes axes_;
+  ShortView short_view_;
+  std::vector<Line> lines_;            // of the edges that were needed
+  std::vector<std::uint32_t> edges_;   // which these are
+  std::vector<std::uint32_t> places_;  // by edge: its line in lines_, or kNone
   std::uint64_t redone_ = 0;
 };
 

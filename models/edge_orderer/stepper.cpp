@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "models/edge_orderer/stepper.hpp"
 
-#include <cmath>
-
 #include "models/numeric/dispatch.hpp"
 
 namespace cigsim::edge_orderer {
@@ -34,21 +32,12 @@ void step_edge(const Edge<double>& edge, int begin, int end, int width, std::int
   step(edge, begin, end, width, element);
 }
 
-// Half an element to the right of the crossing, elements begin at halves: the nearest whole number
-// is the element, and the distance to it tells how far the crossing is from a sample, a half at
-// most. Beyond the raster's border there is no other element to confuse it with.
 CIGSIM_DISPATCH
 bool step_certain(const Edge<Certified>& edge, int begin, int end, int width,
                   std::int32_t* element) {
-  const double limit = width, x = edge.x + 0.5, slope = edge.slope, room = 0.5 - edge.bound;
-  const int skip = begin - edge.first_line;
+  const CertainStep step(edge, width);
   int doubts = 0;
-  for (int k = 0; k < end - begin; ++k) {
-    const double at = x + slope * static_cast<double>(skip + k);
-    const double clamped = at > 0 ? (at < limit ? at : limit) : 0;
-    element[k] = static_cast<std::int32_t>(clamped + 0.5);
-    doubts |= !(std::abs(clamped - static_cast<double>(element[k])) < room) | (at != at);
-  }
+  for (int r = begin; r < end; ++r) doubts |= !step.take(r, element[r - begin]);
   return doubts == 0;
 }
 

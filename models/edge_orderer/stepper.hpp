@@ -2,6 +2,7 @@
 // An edge from line to line: the first element at or right of it on each.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "models/boundary/certified_edges.hpp"
@@ -17,8 +18,35 @@ void step_edge(const Edge<double>& edge, int begin, int end, int width, std::int
 /// line to line.
 void step_edge(const Edge<Exact>& edge, int begin, int end, int width, std::int32_t* element);
 
-/// As for doubles, and true; or false, and some lines are in doubt: a sample lies within the edge's
-/// error bound of it. On those the element may be wrong by one.
+/// An edge's elements as doubles tell them.
+///
+/// Half an element to the right of the crossing, elements begin at halves: the nearest whole number
+/// is the element, and the distance to it tells how far the crossing is from a sample, a half at
+/// most. Beyond the raster's border there is no other element to confuse it with.
+class CertainStep {
+ public:
+  CertainStep(const Edge<Certified>& edge, int width)
+      : limit_(width),
+        x_(edge.x + 0.5),
+        slope_(edge.slope),
+        room_(0.5 - edge.bound),
+        first_line_(edge.first_line) {}
+
+  /// The element on a line, and true; or false, and it may be wrong by one: a sample lies within
+  /// the edge's error bound of the crossing.
+  [[gnu::always_inline]] bool take(int line, std::int32_t& element) const {
+    const double at = x_ + slope_ * static_cast<double>(line - first_line_);
+    const double clamped = at > 0 ? (at < limit_ ? at : limit_) : 0;
+    element = static_cast<std::int32_t>(clamped + 0.5);
+    return !(!(std::abs(clamped - static_cast<double>(element)) < room_) | (at != at));
+  }
+
+ private:
+  double limit_, x_, slope_, room_;
+  int first_line_;
+};
+
+/// As step_edge() for doubles, and true; or false, and some lines are in doubt.
 bool step_certain(const Edge<Certified>& edge, int begin, int end, int width,
                   std::int32_t* element);
 
