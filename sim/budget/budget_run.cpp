@@ -12,6 +12,7 @@
 #include "sim/measure/measure.hpp"
 #include "sim/measure/reference.hpp"
 #include "sim/rtl/library.hpp"
+#include "sim/stats.hpp"
 
 namespace cigsim {
 namespace {
@@ -59,7 +60,10 @@ class Calibration {
     const auto known = read_evidence(file, key);
     const std::vector<Evidence> evidence = known ? *known : gather(views);
     bool cached = known.has_value();
-    if (!known) cached = keep(file, key, evidence);
+    // What failed may succeed another time.
+    const bool whole = std::all_of(evidence.begin(), evidence.end(),
+                                   [](const Evidence& one) { return one.measured; });
+    if (!known && whole) cached = keep(file, key, evidence);
     const auto chosen = choose(request_.budget, evidence);
     if (!chosen)
       throw UsageError(fmt::format("--max-error: no setting keeps {} on this scene; nearest: {}",
@@ -70,9 +74,13 @@ class Calibration {
     outcome.kept = std::all_of(checked.begin(), checked.end(),
                                [](const Checked& frame) { return frame.kept; });
     outcome.lines = lines(evidence, *chosen, checked);
-    outcome.lines.push_back(!cached ? "measured now; it could not be kept for later runs"
-                            : known ? fmt::format("as measured earlier: {}", file.string())
-                                    : fmt::format("measured now, kept in {}", file.string()));
+    for (const Evidence& one : evidence)
+      if (!one.measured) outcome.lines.push_back(one.name + " could not be measured; left out");
+    if (numbers_saturate(*request_.database)) outcome.lines.emplace_back(kNumbersSaturate);
+    outcome.lines.push_back(!whole    ? "measured now; not kept for later runs"
+                            : !cached ? "measured now; it could not be kept for later runs"
+                            : known   ? fmt::format("as measured earlier: {}", file.string())
+                                      : fmt::format("measured now, kept in {}", file.string()));
     outcome.json = json(evidence, *chosen, checked);
     outcome.json["host"] = {{"from_earlier_run", known.has_value()},
                             {"evidence", cached ? Json(file.string()) : Json()}};

@@ -84,6 +84,7 @@ std::optional<std::vector<Evidence>> read_evidence(const fs::path& file, const J
   const Json json = Json::parse(bytes_of(file), nullptr, false);
   if (!json.is_object() || !json.contains("key") || json["key"] != key) return {};
   try {
+    if (json.at("digest") != digest_of(json.at("evidence").dump())) return {};
     std::vector<Evidence> evidence;
     for (const Json& one : json.at("evidence")) evidence.push_back(evidence_from_json(one));
     if (evidence.size() != key.at("settings").size()) return {};
@@ -100,7 +101,8 @@ void write_evidence(const fs::path& file, const Json& key, const std::vector<Evi
     throw InputError(file.parent_path().string(), 0, "cannot make this folder: " + error.message());
   Json list = Json::array();
   for (const Evidence& one : evidence) list.push_back(evidence_json(one));
-  write_file(file, dump({{"key", key}, {"evidence", std::move(list)}}) + "\n");
+  const std::string digest = digest_of(list.dump());
+  write_file(file, dump({{"key", key}, {"evidence", std::move(list)}, {"digest", digest}}) + "\n");
 }
 
 }  // namespace cigsim

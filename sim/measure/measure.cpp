@@ -33,6 +33,7 @@ void add(const Trial& trial, Series& series, Measured& result) {
   series.digest = trial.digest;
   result.delays = trial.delays;
   result.errors = trial.errors;
+  result.overload = trial.overload;
 }
 
 }  // namespace

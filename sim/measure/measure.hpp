@@ -28,6 +28,7 @@ struct Measured {
   Spread mcycles_per_second;  ///< millions, simulated in a second of the host; 0 without time
   std::vector<Cycle> delays;  ///< as Trial
   std::vector<PictureError> errors;     ///< as Trial
+  OverloadSum overload;                 ///< as Trial
   std::optional<std::string> given_up;  ///< why there are no figures: it failed, or took too long
 
   PictureError error() const;  ///< of all views together
@@ -37,6 +38,11 @@ struct Measured {
 /// Throws MeasureError where one gives different pictures in two rounds.
 std::vector<Measured> measure(const std::vector<Setting>& settings, const Workload& work,
                               const MeasureOptions& options);
+
+/// What it means to errors in elements that a scene has more numbers than pictures can tell
+/// (numbers_saturate() of sim/stats.hpp).
+inline constexpr const char* kNumbersSaturate =
+    "objects from 65535 on share that number: one of them in the place of another counts as right";
 
 /// The worst of the views: how far its delay is from the referee's, as a share of that; nothing
 /// where the two do not have delays of the same views.

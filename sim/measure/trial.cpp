@@ -79,7 +79,9 @@ Trial functional_trial(const Setting& setting, const Workload& work) {
       times[v].push_back(machine.stats().host_ms);
       total += times[v].back();
       memory.look();
-      if (pass == 0) pictures.add(v, picture);
+      if (pass > 0) continue;
+      pictures.add(v, picture);
+      trial.overload.add(machine.stats());
     }
   for (const std::vector<double>& ms : times) trial.frame_ms.push_back(median(ms));
   trial.memory_mib = memory.growth_mib();
@@ -110,6 +112,7 @@ Trial pipeline_trial(const Setting& setting, const Workload& work, const Librari
           trial.delays.push_back(stats.timing->transport_delay());
           trial.cycles += stats.timing->last_element - last;
           pictures.add(shown - 1, picture);
+          trial.overload.add(stats);
         }
         last = stats.timing->last_element;
         if (++shown == count + 1) machine.stop(1);
@@ -144,7 +147,8 @@ Json to_wire(const Trial& trial) {
   for (const PictureError& error : trial.errors) errors.push_back(to_wire(error));
   return {{"frame_ms", trial.frame_ms}, {"memory_mib", trial.memory_mib},
           {"delays", trial.delays},     {"cycles", trial.cycles},
-          {"errors", errors},           {"digest", trial.digest}};
+          {"errors", errors},           {"overload", overload_sum_json(trial.overload)},
+          {"digest", trial.digest}};
 }
 
 Trial trial_from_wire(const Json& json) {
@@ -154,6 +158,7 @@ Trial trial_from_wire(const Json& json) {
   json.at("delays").get_to(trial.delays);
   json.at("cycles").get_to(trial.cycles);
   for (const Json& error : json.at("errors")) trial.errors.push_back(error_from_wire(error));
+  trial.overload = overload_sum_from_json(json.at("overload"));
   json.at("digest").get_to(trial.digest);
   return trial;
 }

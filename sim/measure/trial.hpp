@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "models/boundary/cycle.hpp"
+#include "sim/measure/overload_sum.hpp"
 #include "sim/measure/picture_error.hpp"
 #include "sim/measure/setting.hpp"
 #include "sim/view.hpp"
@@ -32,6 +33,7 @@ struct Trial {
   std::vector<Cycle> delays;
   Cycle cycles = 0;
   std::vector<PictureError> errors;  ///< of each view, where there are references
+  OverloadSum overload;              ///< of these views
   std::uint64_t digest = 0;          ///< of the pictures: equal ones have equal digests
 };
 

@@ -102,8 +102,10 @@ class Sweep {
 
   void add_raster(NumberType number, int times, int part) {
     const Raster& r = range_.raster;
-    const Raster raster{std::max(1, r.width * times / part), std::max(1, r.height * times / part)};
-    if (raster.width > kLargestRaster || raster.height > kLargestRaster) return;
+    const Raster raster{r.width * times / part, r.height * times / part};
+    if (std::min(raster.width, raster.height) < 1 ||
+        std::max(raster.width, raster.height) > kLargestRaster)
+      return;
     const std::string scale = part > 1 ? fmt::format("1/{}", part) : fmt::format("{}", times);
     const bool alone = number == NumberType::kDouble;
     add(alone ? "raster" : "together", base(alone ? "raster " + scale : "float, raster " + scale,

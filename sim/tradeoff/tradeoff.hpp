@@ -51,7 +51,9 @@ nlohmann::ordered_json tradeoff_json(const Tradeoff& tradeoff);
 /// The table on the terminal.
 std::string tradeoff_table(const Tradeoff& tradeoff);
 
-/// Writes tradeoff.svg into the folder, as write_plots(). Returns the file.
+inline constexpr const char* kTradeoffPlots = "tradeoff.svg";
+
+/// Writes that file into the folder, as write_plots(). Returns its path.
 std::filesystem::path write_tradeoff_plots(const Tradeoff& tradeoff,
                                            const std::filesystem::path& folder);
 

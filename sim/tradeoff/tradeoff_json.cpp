@@ -39,6 +39,7 @@ Json point_json(const TradeoffPoint& point) {
           {"knob", point.knob},
           {"setting", setting_json(m.setting)},
           {"error", m.errors.empty() ? Json() : picture_error_json(m.error())},
+          {"overload", m.overload.frames > 0 ? overload_sum_json(m.overload) : Json()},
           {"cycles", cycles_json(point)},
           {"host", host_figures(point)}};
 }

@@ -155,7 +155,7 @@ std::filesystem::path write_tradeoff_plots(const Tradeoff& t, const std::filesys
   plots.back().notes = {"marks without a difference are left out"};
   plots.push_back(words_plot(t));
   plots.push_back(rows_plot(t));
-  const std::filesystem::path file = folder / "tradeoff.svg";
+  const std::filesystem::path file = folder / kTradeoffPlots;
   write_plots(plots, 2, file, kSize);
   return file;
 }

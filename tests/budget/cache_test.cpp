@@ -95,6 +95,10 @@ TEST_F(BudgetCache, WhatIsNotWholeIsNothing) {
   wrong["evidence"][0]["elements"] = "many";
   std::ofstream(file) << wrong;
   EXPECT_FALSE(read_evidence(file, known));
+  wrong = Json::parse(whole);
+  wrong["evidence"][0]["elements"] = 0.125;  // a figure that nobody measured
+  std::ofstream(file) << wrong;
+  EXPECT_FALSE(read_evidence(file, known));
   wrong["evidence"] = Json::array();
   std::ofstream(file) << wrong;
   EXPECT_FALSE(read_evidence(file, known));

@@ -73,6 +73,28 @@ TEST_F(CommandTest, TradeoffFindsAMachineWordTooNarrow) {
   EXPECT_EQ(wrong("coherence off"), wrong("double"));
 }
 
+// Planted: a machine that holds two items of a scene with many.
+TEST_F(CommandTest, TradeoffTellsThatAMachineIsOverloaded) {
+  Json machine = Json::parse(cigsim({"machines", "asupt1975", "--json"}).out);
+  machine["figures"]["object_capacity"]["value"] = 2;
+  put("tiny.json", machine.dump());
+  std::vector<std::string> arguments{"tradeoff", "--raster",         "40x30",
+                                     "--levels", "functional,timed", "--rounds",
+                                     "1",        "--machine",        "tiny.json"};
+  const Outcome table = cigsim(arguments);
+  ASSERT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_NE(table.out.find("† overloaded in 1 of 1 frames: "), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("†  number    machine"), std::string::npos) << table.out;
+  arguments.push_back("--json");
+  const Json result = Json::parse(cigsim(arguments).out);
+  EXPECT_TRUE(point(result, "double")["overload"].is_null());
+  for (const char* name : {"machine", "timed"}) {
+    EXPECT_EQ(point(result, name)["overload"]["overloaded"], 1) << name;
+    EXPECT_GT(point(result, name)["overload"]["dropped_items"], 0) << name;
+    EXPECT_GT(point(result, name)["error"]["wrong"], 0) << name;
+  }
+}
+
 TEST_F(CommandTest, TradeoffIsTheSameForTheSameSeedButForTheHost) {
   const std::vector<std::string> arguments{
       "tradeoff", "--raster", "40x30",  "--levels", "functional,timed",

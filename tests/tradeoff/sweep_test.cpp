@@ -65,6 +65,8 @@ TEST(Sweep, RastersStayWithinWhatCigsimCanHave) {
     EXPECT_LE(point.setting.machine.raster.width, 16384);
     EXPECT_GE(point.setting.machine.raster.height, 1);
   }
+  r.raster = {3, 2};  // has a half, but no quarter
+  for (const SweepPoint& point : sweep(r)) EXPECT_FALSE(point.setting.name.ends_with("raster 1/4"));
 }
 
 }  // namespace
