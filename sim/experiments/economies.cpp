@@ -120,12 +120,29 @@ void run_trials(const Economy& economy, const std::vector<FrameView>& views,
     series.frame_ms.push_back(mean_of(trial.frame_ms));
     series.memory_mib.push_back(trial.memory_mib);
     EconomySide& seen = is_with ? result.with : result.without;
-    seen.digest = trial.digest;
-    seen.delays = trial.delays;
+    seen.digests.push_back(trial.digest);
+    seen.delays.push_back(trial.delays);
   }
 }
 
+// How many of `values` are not `want`.
+template <class T>
+std::size_t others(const std::vector<T>& values, const T& want) {
+  return values.size() - static_cast<std::size_t>(std::count(values.begin(), values.end(), want));
+}
+
 }  // namespace
+
+std::size_t EconomyResult::wrong_rounds() const {
+  std::size_t wrong = 0;
+  for (const EconomySide* side : {&with, &without}) {
+    const EconomySide& model = economy.same_pictures ? without : *side;
+    if (!side->digests.empty()) wrong += others(side->digests, model.digests.front());
+    if (economy.same_cycles && !side->delays.empty())
+      wrong += others(side->delays, without.delays.front());
+  }
+  return wrong;
+}
 
 std::vector<FrameView> slow_flight(const Database& database, std::size_t frames) {
   const Vec3 eye = database.view.eye.position;
@@ -157,8 +174,6 @@ EconomyResult run_economy(const Economy& economy, const EconomyScene& scene,
     if (economy.stage)
       for (std::size_t round = 0; round < options.rounds; ++round)
         twins.time_stage(round % 2 == 0, with, without);
-  } else {
-    result.differing = result.with.digest != result.without.digest;
   }
   finish(with, result.with);
   finish(without, result.without);

@@ -28,6 +28,7 @@ Json economy_json(const EconomyResult& r) {
           {"same_cycles_required", r.economy.same_cycles},
           {"elements", r.elements},
           {"differing", r.differing},
+          {"wrong_rounds", r.wrong_rounds()},
           {"holds", r.holds()},
           {"counts", counts},
           {"stage", stage ? Json(name_of(stage->first)) : Json()},
@@ -42,6 +43,8 @@ Json so_json(const SoSteps& so) {
   return {
       {"frames", so.frames},
       {"groups", so.groups},
+      {"groups_left_out", so.groups_left_out},
+      {"why_not", so.why_not().empty() ? Json() : Json(so.why_not())},
       {"pairs", so.pairs},
       {"full_cycles", so.full_cycles},
       {"first_cycles", so.first.cycles},

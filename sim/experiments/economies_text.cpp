@@ -47,7 +47,7 @@ std::string work_of(const EconomyResult& r) {
 }
 
 std::string so_text(const SoSteps& so) {
-  if (so.groups == 0) return "  SO matrix: no group has two members in view\n";
+  if (!so.why_not().empty()) return fmt::format("  SO matrix: none; {}\n", so.why_not());
   const auto frames = static_cast<double>(so.frames);
   const auto kept = static_cast<double>(so.update.cycles + so.row_cycles);
   return fmt::format(

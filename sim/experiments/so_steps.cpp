@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "sim/experiments/so_steps.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <map>
 
+#include "models/database/separation_pairs.hpp"
 #include "models/frame_calculator/functional.hpp"
 #include "models/priority_processor/eye_side.hpp"
 #include "models/priority_processor/so_golden.hpp"
@@ -22,6 +25,23 @@ std::span<const SeparationNode> nodes_of(const PriorityHierarchy& hierarchy, std
   return {hierarchy.nodes.data() + g.first_node, g.node_count};
 }
 
+// The plane resolves every pair that it parts.
+bool resolves_all(const PriorityHierarchy& hierarchy, const SeparationNode& node) {
+  std::array<std::uint64_t, kGroupCapacity> listed{};
+  for_each_pair(hierarchy, node,
+                [&](std::uint32_t t, std::uint32_t f) { listed[t] |= std::uint64_t{1} << f; });
+  bool all = true;
+  for_each_member(node.true_members,
+                  [&](std::uint32_t t) { all = all && listed[t] == node.false_members; });
+  return all;
+}
+
+bool has_matrix(const PriorityHierarchy& hierarchy, std::uint32_t group) {
+  const auto nodes = nodes_of(hierarchy, group);
+  return std::all_of(nodes.begin(), nodes.end(),
+                     [&](const SeparationNode& node) { return resolves_all(hierarchy, node); });
+}
+
 // A group in a frame: what the matrix is asked.
 struct Ask {
   std::uint32_t group = 0;
@@ -30,8 +50,10 @@ struct Ask {
 using Frame = std::vector<Ask>;
 
 std::vector<Frame> frames_of(const Database& database, const std::vector<FrameView>& views,
-                             const Raster& raster) {
+                             const Raster& raster, std::uint64_t& left_out) {
   const PriorityHierarchy& hierarchy = database.systems[0].hierarchy;
+  // A table made by hand has one group.
+  const bool matrix = hierarchy.pairs.empty() || has_matrix(hierarchy, 0);
   ActiveEnvironment active;
   FaceSet moving;
   std::vector<Frame> frames;
@@ -42,6 +64,10 @@ std::vector<Frame> frames_of(const Database& database, const std::vector<FrameVi
     for (const ActiveGroup& group : active.groups) {
       if (std::popcount(group.active) < 2 || hierarchy.groups[group.group].node_count == 0)
         continue;
+      if (!matrix) {
+        ++left_out;
+        continue;
+      }
       Ask ask{group.group, group.active, 0};
       const auto nodes = nodes_of(hierarchy, group.group);
       for (std::size_t n = 0; n < nodes.size(); ++n)
@@ -152,13 +178,19 @@ void count(const std::vector<Frame>& frames, Matrices& matrices, SoSteps& steps)
 
 }  // namespace
 
+std::string_view SoSteps::why_not() const {
+  if (groups_left_out > 0)
+    return "a table made by hand resolves only some of the pairs that its planes part, which a "
+           "matrix of planes cannot hold";
+  return groups == 0 ? "no group has two members in view, with a plane between any" : "";
+}
+
 SoSteps so_steps(const Database& database, const std::vector<FrameView>& views,
                  const Raster& raster, std::size_t rounds, std::uint64_t seed) {
   SoSteps steps;
   steps.frames = views.size();
   const PriorityHierarchy& hierarchy = database.systems[0].hierarchy;
-  if (!hierarchy.pairs.empty()) return steps;
-  const std::vector<Frame> frames = frames_of(database, views, raster);
+  const std::vector<Frame> frames = frames_of(database, views, raster, steps.groups_left_out);
   {
     Matrices matrices(hierarchy, frames);
     count(frames, matrices, steps);

@@ -93,6 +93,19 @@ TEST_F(EconomyCommand, ExperimentEconomiesWritesTheSameFiguresTwice) {
   EXPECT_EQ(strip(a), strip(b));
   EXPECT_EQ(a["holds"], true);
   EXPECT_EQ(a["scenes"].size(), 1u);
+  EXPECT_TRUE(a["scenes"][0]["so"]["why_not"].is_null());
+}
+
+TEST_F(EconomyCommand, SaysWhyATableMadeByHandHasNoMatrix) {
+  const std::vector<std::string> words{"experiment", "economies", "--quick", "--scene",
+                                       CIGSIM_SOURCE_DIR "/scenes/stump-reassigned.json"};
+  std::vector<std::string> as_json = words;
+  as_json.push_back("--json");
+  const Json so = Json::parse(cigsim(as_json).out)["scenes"][0]["so"];
+  EXPECT_EQ(so["groups_left_out"], so["frames"]);
+  const std::string why = so["why_not"];
+  EXPECT_NE(why.find("made by hand"), std::string::npos) << why;
+  EXPECT_NE(cigsim(words).out.find("SO matrix: none; " + why), std::string::npos);
 }
 
 TEST_F(EconomyCommand, ExperimentGrowthWritesTheSameFiguresTwice) {
