@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -42,6 +43,7 @@ struct Part {
 };
 
 constexpr std::string_view kDecisions = "decisions", kEnvelope = "envelope";
+constexpr const char* kFigures = "stability.json";
 
 // In the order in which they are told.
 const std::vector<Part>& all_parts() {
@@ -57,7 +59,8 @@ const std::vector<Part>& all_parts() {
 struct Found {
   Json json;
   std::string text;
-  std::vector<std::filesystem::path> files;
+  /// Each draws into a folder and returns the files.
+  std::vector<std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>> draw;
 };
 
 // Those of `all` that were named, in the order of `all`; all when none was.
@@ -152,22 +155,41 @@ void check_axes(const stability::SweepPlan& plan) {
 }
 
 void find_decisions(const stability::SweepPlan& plan, const stability::Material& material,
-                    const Options& options, Found& found) {
-  const stability::Sweep sweep = stability::sweep(plan, material);
+                    Found& found) {
+  stability::Sweep sweep = stability::sweep(plan, material);
   found.json.update(stability::sweep_json(plan, sweep));
   found.text += stability::sweep_text(plan, sweep);
-  if (options.out) found.files = stability::write_sweep_maps(plan, sweep, *options.out);
+  found.draw.push_back([plan, sweep = std::move(sweep)](const std::filesystem::path& folder) {
+    return stability::write_sweep_maps(plan, sweep, folder);
+  });
 }
 
-void find_part(const Part& part, const stability::PartOptions& part_options, const Options& options,
-               Found& found) {
-  stability::PartResult result = part.measure(part_options);
+void find_part(const Part& part, const stability::PartOptions& options, Found& found) {
+  stability::PartResult result = part.measure(options);
   found.json[result.name] = std::move(result.json);
   if (!found.text.empty()) found.text += "\n";
   found.text += result.text;
-  if (!options.out) return;
-  for (std::filesystem::path& file : result.draw(*options.out))
-    found.files.push_back(std::move(file));
+  found.draw.push_back(std::move(result.draw));
+}
+
+// All that a run of this command writes, of whatever parts.
+std::vector<std::string> names_of_files() {
+  std::vector<std::string> names = stability::sweep_map_names();
+  names.insert(names.begin(), std::string(kFigures));
+  for (const Part& part : all_parts())
+    if (part.measure != nullptr) names.push_back(fmt::format("{}.svg", part.name));
+  names.emplace_back(stability::kEnvelopeTable);
+  return names;
+}
+
+std::vector<std::filesystem::path> write(const Found& found, const std::filesystem::path& folder) {
+  remove_earlier(folder, names_of_files());
+  std::vector<std::filesystem::path> files;
+  for (const auto& draw : found.draw)
+    for (std::filesystem::path& file : draw(folder)) files.push_back(std::move(file));
+  files.push_back(folder / kFigures);
+  write_file(files.back(), dump(found.json) + "\n");
+  return files;
 }
 
 int run(const Options& options) {
@@ -188,21 +210,19 @@ int run(const Options& options) {
     const auto show = [&](double share) { progress.show(share); };
     if (part.measure == nullptr) {
       plan.progress = show;
-      find_decisions(plan, material, options, found);
+      find_decisions(plan, material, found);
     } else {
-      find_part(part, {options.seed, plan.formats, options.search_envelope, show}, options, found);
+      find_part(part, {options.seed, plan.formats, options.search_envelope, show}, found);
     }
   }
-  if (options.out) {
-    found.files.push_back(std::filesystem::path(*options.out) / "stability.json");
-    write_file(found.files.back(), dump(found.json) + "\n");
-  }
+  std::vector<std::filesystem::path> files;
+  if (options.out) files = write(found, *options.out);
   if (options.json) {
     fmt::print("{}\n", dump(found.json));
     return 0;
   }
   fmt::print("{}", found.text);
-  for (const std::filesystem::path& file : found.files) fmt::print("{} written\n", file.string());
+  for (const std::filesystem::path& file : files) fmt::print("{} written\n", file.string());
   return 0;
 }
 
@@ -274,7 +294,11 @@ void add_stability(CLI::App& program, int& exit_code) {
           },
           "Instances of each decision at each value. Default: 20")
       ->type_name("N");
-  command->add_option("--out", options->out, "Write stability.json and heat maps into this folder")
+  command
+      ->add_option(
+          "--out", options->out,
+          "Write stability.json, heat maps and plots into this folder, in place of those of an "
+          "earlier run")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "Print everything as JSON");
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -108,7 +108,7 @@ PartResult envelope_part(const PartOptions& options) {
             std::vector<std::filesystem::path> files{folder / "envelope.svg"};
             write_plots(plots(envelopes), 3, files[0]);
             if (searched) {
-              files.push_back(folder / "envelope.json");
+              files.push_back(folder / kEnvelopeTable);
               write_file(files[1], json.dump(1) + "\n");
             }
             return files;

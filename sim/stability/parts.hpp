@@ -24,11 +24,13 @@ struct PartOptions {
   std::function<void(double)> progress;  ///< is told the share that is done
 };
 
+inline constexpr const char* kEnvelopeTable = "envelope.json";
+
 struct PartResult {
   std::string name;             ///< of the key in JSON and of the plots' file
   nlohmann::ordered_json json;  ///< docs/schemas/stability.schema.json has the keys
   std::string text;             ///< a table, its last line ended
-  /// Draws NAME.svg into a folder, and of a searched envelope writes envelope.json, the table that
+  /// Draws NAME.svg into a folder, and of a searched envelope writes kEnvelopeTable, the table that
   /// the program carries. Returns the files. Throws as write_plots(), write_heat_maps() and
   /// write_file() do.
   std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> draw;

@@ -23,5 +23,7 @@ std::string sweep_text(const SweepPlan& plan, const Sweep& sweep);
 /// Throws as write_heat_maps() does.
 std::vector<std::filesystem::path> write_sweep_maps(const SweepPlan& plan, const Sweep& sweep,
                                                     const std::filesystem::path& folder);
+/// All names of files that this writes, of whatever plan.
+std::vector<std::string> sweep_map_names();
 
 }  // namespace cigsim::stability

@@ -80,6 +80,30 @@ TEST_F(StabilityCommand, FurtherPartsCanBeAskedForAlone) {
   EXPECT_GT(found["accumulation"]["rows"].size(), 0u);
 }
 
+// Planted: files of a run of many parts, of another part and of a search. A folder tells of one run
+// alone, and what is not the command's stays.
+TEST_F(StabilityCommand, AFolderNeverMixesTwoRuns) {
+  const Outcome many =
+      cigsim({"stability", "--trials", "1", "--format", "float", "--part", "decisions", "--part",
+              "envelope", "--part", "accumulation", "--part", "published", "--out", "found"});
+  ASSERT_EQ(many.exit_code, 0) << many.err;
+  EXPECT_GT(files().size(), 10u);
+  put("found/flicker.svg", "<svg/>");
+  put("found/envelope.json", "{}");
+  put("found/mine.svg", "<svg/>");
+  put("found/tradeoff.json", "{}");
+  const std::vector<std::string> before = files();
+  expect_unusable({"stability", "--decision", "colour", "--out", "found"}, "choose from");
+  EXPECT_EQ(files(), before);
+  const Outcome one = cigsim({"stability", "--decision", "side", "--axis", "near", "--format",
+                              "float", "--trials", "1", "--out", "found"});
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(files(), (std::vector<std::string>{"found", "found/mine.svg",
+                                               "found/stability-near.svg", "found/stability.json",
+                                               "found/stability.svg", "found/tradeoff.json"}));
+  EXPECT_FALSE(Json::parse(contents("found/stability.json")).contains("flicker"));
+}
+
 TEST_F(StabilityCommand, AsksASceneAboutItsOwnThings) {
   const Json found =
       json({CIGSIM_SOURCE_DIR "/scenes/airfield.json", "--decision", "side", "--decision", "edge",
