@@ -63,11 +63,13 @@ class Places {
     std::optional<NamePlace> best;
     double least = 0;
     for (const double distance : kDistances) {
-      double penalty = name.right ? kLaterDirection : 0;
+      double penalty = 0;
       for (const Vec2& direction : kDirections) {
         const PixelBox box = box_of(name, direction, distance);
-        const bool best_one = name.right && direction.y == 0 && direction.x > 0;
-        const double cost = distance + (best_one ? 0 : penalty) + cost_of(name, box, distance);
+        const bool in_line = name.beside && direction.y == 0;
+        const double later =
+            in_line ? -direction.x * kLaterDirection / 2 - kLaterDirection : penalty;
+        const double cost = distance + later + cost_of(name, box, distance);
         penalty += kLaterDirection;
         if (!free(box) || (best && cost >= least)) continue;
         best = NamePlace{box, {}};

@@ -18,7 +18,7 @@ struct PixelBox {
 struct NamedMark {
   Vec2 at;
   double width = 0, height = 0;  ///< of the name
-  bool right = false;            ///< lies best to the right, not to the upper right
+  bool beside = false;           ///< lies best to the right or the left, not higher
 };
 
 struct NamePlace {

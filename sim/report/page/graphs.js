@@ -32,9 +32,9 @@ function crossingsGraph(frame, capacity) {
 function overFrames(rows, key, label, shown) {
   const points = rows.filter(row => typeof row[key] === 'number');
   if (points.length < 2) return null;
-  const most = Math.max(...points.map(row => row[key])) || 1;
+  const most = points.reduce((largest, row) => Math.max(largest, row[key]), 0);
   const last = rows[rows.length - 1].frame || 1;
-  const x = frame => 10 + 280 * frame / last, y = value => 80 - 66 * value / most;
+  const x = frame => 10 + 280 * frame / last, y = value => 80 - 66 * value / (most || 1);
   const path = points.map((row, i) =>
     `${i ? 'L' : 'M'}${x(row.frame).toFixed(1)} ${y(row[key]).toFixed(1)}`).join('');
   const graph = svg('svg', {class: 'over', viewBox: '0 0 300 96', role: 'img',
