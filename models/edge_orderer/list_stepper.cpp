@@ -13,10 +13,13 @@ void ListStepper<Certified>::begin() {
 void ListStepper<Certified>::redo(const EdgeList<Certified>& list, std::uint32_t edge, int begin,
                                   int end, int width, std::int32_t* element) {
   const CertainStep step(list.edges[edge], width);
+  const std::uint64_t before = redone_;
   const auto redo_with = [&](const auto& line) {
+    std::int32_t last = 0;
     for (int r = begin; r < end; ++r) {
       if (step.take(r, element[r - begin])) continue;
-      element[r - begin] = line.element(r, width);
+      if (redone_ == before || !line.upright()) last = line.element(r, width);
+      element[r - begin] = last;
       ++redone_;
     }
   };

@@ -31,14 +31,20 @@ int exponent_of(const Vec3& v) {
   return std::min({exponent_of(v.x), exponent_of(v.y), exponent_of(v.z)});
 }
 
-// In units of 2^exponent, of which the coordinates must be multiples. False: 2^62 or more.
+// In units of 2^exponent, of which the coordinates must be multiples. False: 2^100 or more, which
+// leaves no room for products.
 bool to_whole(const Vec3& v, int exponent, WholeVec& out) {
-  constexpr double kLimit = 0x1p62;
+  constexpr double kLimit = 0x1p100, kWord = 0x1p62;
   if (exponent < -1000 || exponent > 1000) return false;
   const double unit = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);
   const double x = v.x * unit, y = v.y * unit, z = v.z * unit;
-  if (!(std::max({std::abs(x), std::abs(y), std::abs(z)}) < kLimit)) return false;
-  out = {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y), static_cast<std::int64_t>(z)};
+  const double largest = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  if (!(largest < kLimit)) return false;
+  if (largest < kWord)  // what one instruction converts
+    out = {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y),
+           static_cast<std::int64_t>(z)};
+  else
+    out = {static_cast<Whole>(x), static_cast<Whole>(y), static_cast<Whole>(z)};
   return true;
 }
 

@@ -17,8 +17,9 @@ struct ShortLine {
   Whole start = 0, step = 0, unit = 1;
   int first_line = 0;
 
-  /// As ExactLine::element().
+  /// As of ExactLine.
   std::int32_t element(int line, int width) const;
+  bool upright() const { return step == 0; }
 };
 
 /// A view as whole numbers times powers of two.

@@ -36,8 +36,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/boundary/exact_direction.hpp"
-
 namespace cigsim::geometry_processor {
 namespace {
 
@@ -73,6 +71,7 @@ void Functional<Certified>::compute(const ViewTransform& view, const FrameSets& 
 
 void Functional<Certified>::start(const ViewTransform& view) {
   view_ = &view;
+  exact_view_.reset();
   half_width_ = view.raster.width / 2.0;
   half_height_ = view.raster.height / 2.0;
   double largest = 0;
@@ -132,8 +131,9 @@ void Functional<Certified>::classify(const FaceSet& set, const Item& item, std::
 void Functional<Certified>::classify_exactly(const FaceSet& set, std::uint32_t vertex,
                                              std::uint32_t i) {
   ++redone_.vertices_redone;
-  const PyramidSides<Dyadic> sides(*view_);
-  const auto [u, v, w] = exact_direction(set, vertex, ExactAxes(*view_));
+  if (!exact_view_) exact_view_.emplace(ExactAxes(*view_), PyramidSides<Dyadic>(*view_));
+  const auto& [axes, sides] = *exact_view_;
+  const auto [u, v, w] = exact_direction(set, vertex, axes);
   codes_[i] = sides.outcode({u, v, w});
   if (codes_[i] != 0) return;
   if (u.sign() <= 0 || !(points_[i].u > 2 * points_[i].error)) {

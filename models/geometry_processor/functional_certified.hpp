@@ -9,10 +9,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "models/boundary/certified_edges.hpp"
+#include "models/boundary/exact_direction.hpp"
 #include "models/geometry_processor/certified_clip.hpp"
 #include "models/geometry_processor/functional.hpp"
 #include "models/numeric/dyadic.hpp"
@@ -79,6 +82,8 @@ class Functional<Certified> {
   double twice_area_ = 0;
   GeometryRedone redone_;
 
+  // Of the view, once a vertex was in doubt.
+  std::optional<std::pair<ExactAxes, PyramidSides<Dyadic>>> exact_view_;
   Functional<Exact> exact_;
   EdgeList<Exact> exact_edges_;
   FaceSet one_face_;  // for exact_
