@@ -42,6 +42,23 @@ double largest_error(const Drawing& drawing, std::uint32_t triangle, const Sight
   return most;
 }
 
+// How far an edge is off at least that puts elements [first, end) on its wrong side: the way from a
+// sample in their middle to the nearest border.
+double error_of_run(const Sight& sight, int line, int first, int end) {
+  return first < end ? sight.distance_from_all(line, (first + end - 1) / 2) : 0;
+}
+
+// Of a line's elements that one of the two covers and the other does not.
+double error_of_cover(const Sight& sight, int line, const Drawing::Cover& right,
+                      const Drawing::Cover& got) {
+  if (right.first == right.end) return error_of_run(sight, line, got.first, got.end);
+  if (got.first == got.end) return error_of_run(sight, line, right.first, right.end);
+  const auto [first, begun] = std::minmax(right.first, got.first);
+  const auto [ended, end] = std::minmax(right.end, got.end);
+  return std::max(error_of_run(sight, line, first, std::min(begun, ended)),
+                  error_of_run(sight, line, std::max(ended, begun), end));
+}
+
 }  // namespace
 
 std::optional<double> picture_bound_in_words(const Triangle& triangle, const ViewTransform& view,
@@ -93,20 +110,21 @@ std::optional<double> picture_bound(const Triangle& triangle, const Sight& sight
 Outcome judge_cover(const Drawing& drawing, std::uint32_t triangle, const Sight& sight,
                     const Raster& raster, std::optional<double> bound) {
   bool right = true;
+  double error = 0;
   std::vector<bool> shared(static_cast<std::size_t>(raster.height), false);
   for (int line = 0; line < raster.height; ++line) {
     const std::optional<Reach> reach = sight.reach(line);
     const Drawing::Cover cover = drawing.cover(triangle, line);
     shared[static_cast<std::size_t>(line)] = reach.has_value();
-    if (reach && reach->first < reach->end)
-      right &= cover.first == reach->first && cover.end == reach->end;
-    else
-      right &= cover.first == cover.end;
+    Drawing::Cover must;
+    if (reach && reach->first < reach->end) must = {reach->first, reach->end};
+    if (must.first == cover.first && must.end == cover.end) continue;
+    right = false;
+    error = std::max(error, error_of_cover(sight, line, must, cover));
   }
-  Outcome out{right ? Verdict::kRight : Verdict::kWrong,
-              largest_error(drawing, triangle, sight, shared), bound};
-  if (drawing.doubtful) out = {Verdict::kDoubtful, {}, {}};
-  return out;
+  if (drawing.doubtful) return {Verdict::kDoubtful, {}, {}};
+  error = std::max(error, largest_error(drawing, triangle, sight, shared));
+  return {right ? Verdict::kRight : Verdict::kWrong, error, bound};
 }
 
 }  // namespace cigsim::stability

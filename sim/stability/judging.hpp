@@ -21,7 +21,8 @@ std::optional<double> picture_bound_in_words(const Triangle& triangle, const Vie
                                              const Format& format);
 
 /// Whether each line shows the elements that it must, for one triangle; `error` is the largest
-/// distance of a crossing from the true border, on lines that both cover.
+/// distance of a crossing from the true border, on lines that both cover, and of elements that are
+/// missing, or too many, the way from their samples to the nearest border.
 Outcome judge_cover(const Drawing& drawing, std::uint32_t triangle, const Sight& sight,
                     const Raster& raster, std::optional<double> bound);
 

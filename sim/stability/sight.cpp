@@ -93,6 +93,12 @@ std::optional<Reach> Sight::reach(int line) const {
   return reach;
 }
 
+// The side's level over its slope across the border; of rationals, as either may underflow.
+double Sight::distance(std::size_t i, const Side& side, const Exact& at) const {
+  const Exact level = (side.a + side.b * at) / largest_[i];
+  return std::abs(level.get_d()) / slant_[i];
+}
+
 double Sight::distance_from_border(int line, const Exact& column, bool left) const {
   const Exact at = column + kHalf;
   // The raster's own border.
@@ -100,10 +106,17 @@ double Sight::distance_from_border(int line, const Exact& column, bool left) con
   for (std::size_t i = 0; i < 3; ++i) {
     const Side side = at_line(normals_[i], line);
     if (sgn(side.b) * (left ? 1 : -1) <= 0) continue;
-    // The side's level over its slope across the border; of rationals, as either may underflow.
-    const Exact level = (side.a + side.b * at) / largest_[i];
-    least = std::min(least, std::abs(level.get_d()) / slant_[i]);
+    least = std::min(least, distance(i, side, at));
   }
+  return least;
+}
+
+double Sight::distance_from_all(int line, int element) const {
+  const Exact at = element + kHalf;
+  double least = std::min({element + 0.5, view_.raster.width - element - 0.5, line + 0.5,
+                           view_.raster.height - line - 0.5});
+  for (std::size_t i = 0; i < 3; ++i)
+    if (sgn(largest_[i]) != 0) least = std::min(least, distance(i, at_line(normals_[i], line), at));
   return least;
 }
 

@@ -55,6 +55,8 @@ class Sight {
   /// How far a point of the raster is from the nearest border of the triangle (or of the raster),
   /// on its left or right side, in elements; `column` as in Reach, on the sample height of `line`.
   double distance_from_border(int line, const Exact& column, bool left) const;
+  /// The same of an element's sample, from the borders on all sides, each as long as its line.
+  double distance_from_all(int line, int element) const;
 
  private:
   // A side of the cone as it meets a line: a + b · column >= 0 is inside, column measured from the
@@ -63,6 +65,8 @@ class Sight {
     Exact a, b;
   };
   Side at_line(const ExactVec& normal, int line) const;
+  /// Of border i, which must have a direction on the raster; `at` measured as b counts.
+  double distance(std::size_t i, const Side& side, const Exact& at) const;
 
   ViewTransform view_;
   std::array<ExactVec, 3> normals_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/stability/exact_sphere.hpp"
+#include "sim/stability/judging.hpp"
 #include "sim/stability/posing.hpp"
 #include "sim/stability/sight.hpp"
 #include "tests/support/ray_oracle.hpp"
@@ -76,6 +77,47 @@ TEST(Sight, MeasuresHowFarAnEdgeIsOff) {
   const Sight sight(t, view);
   EXPECT_DOUBLE_EQ(sight.distance_from_border(7, Exact(3.5), true), 0);
   EXPECT_DOUBLE_EQ(sight.distance_from_border(7, Exact(3.75), true), 0.25);
+}
+
+// A sample is as far from a level border as from an upright one.
+TEST(Sight, MeasuresHowFarASampleIsInside) {
+  ViewTransform view;
+  view.rotation = {{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}};
+  view.focal = 8;
+  view.raster = {16, 16};
+  // Borders at column 4, at line 12, and from (4, -8) to (24, 12).
+  const Triangle t{Vec3{-4, 8, -4}, Vec3{16, 8, -4}, Vec3{-4, 8, 16}};
+  const Sight sight(t, view);
+  EXPECT_DOUBLE_EQ(sight.distance_from_all(9, 12), 2.5);
+  EXPECT_DOUBLE_EQ(sight.distance_from_all(9, 5), 1.5);
+  EXPECT_DOUBLE_EQ(sight.distance_from_all(2, 13), 0.5 * std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(sight.distance_from_all(9, 15), 0.5);
+  EXPECT_DOUBLE_EQ(sight.distance_from_all(14, 10), 1.5);
+}
+
+// Planted: a format that draws nothing of a wide triangle, and one that draws half of it. No edge
+// is off, as there is none; the claim does not hold all the same.
+TEST(JudgeCover, WhatIsMissingIsBeyondTheClaim) {
+  Random random(1);
+  const Instance instance = pose_face({}, {}, random);
+  const Triangle t = corners(instance);
+  const ViewTransform& view = instance.view;
+  const Sight sight(t, view);
+  const Format exact = format_named("exact");
+  Drawing drawing = draw({&t, 1}, true, view, exact);
+  const auto judge = [&] { return judge_cover(drawing, 0, sight, view.raster, kDoubleClaim); };
+  EXPECT_EQ(judge().verdict, Verdict::kRight);
+  EXPECT_EQ(judge().error, 0);
+  drawing.edges.clear();
+  for (Crossing& crossing : drawing.crossings.crossings)
+    if (!crossing.left) crossing.element -= 6;
+  EXPECT_EQ(judge().verdict, Verdict::kWrong);
+  EXPECT_GT(judge().error, 1);
+  Drawing nothing;
+  nothing.crossings.first.assign(static_cast<std::size_t>(view.raster.height) + 1, 0);
+  drawing = nothing;
+  EXPECT_EQ(judge().verdict, Verdict::kWrong);
+  EXPECT_GT(judge().error, 1);
 }
 
 TEST(ExactSide, IsThatOfThePlanesOwnTest) {
