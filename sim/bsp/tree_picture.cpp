@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "models/database/bsp/traversal.hpp"
@@ -113,6 +114,7 @@ struct Projection {
   static constexpr Vec3 kRight{0.8, -0.6, 0}, kUp{0.3, 0.4, 0.866}, kTowardsEye{-0.52, -0.69, 0.5};
   double x0 = 0, y1 = 0, scale = 1;
   Vec2 corner;
+  double height = 0;  ///< of all, pixels
 
   Vec2 operator()(const Vec3& p) const {
     return {corner.x + (dot(kRight, p) - x0) * scale, corner.y + (y1 - dot(kUp, p)) * scale};
@@ -130,33 +132,72 @@ Projection fit(const BspTree& tree, const Vec2& corner) {
     y1 = std::max(y1, y);
   }
   const double extent = std::max(x1 - x0, y1 - y0);
-  return {x0, y1, extent > 0 && std::isfinite(extent) ? kSceneSize / extent : 1, corner};
+  const double scale = extent > 0 && std::isfinite(extent) ? kSceneSize / extent : 1;
+  const double height = std::clamp((y1 - y0) * scale, 0.0, kSceneSize);
+  return {x0, y1, scale, corner, height};
 }
 
-void draw_part(SvgDrawing& drawing, const BspTree& tree, std::uint32_t item,
-               const std::string& name, const Projection& project) {
-  const WorkPolygon& polygon = tree.polygon(item);
-  std::vector<Vec2> corners;
+using Corners = std::vector<Vec2>;
+
+Corners projected(const BspTree& tree, const WorkPolygon& polygon, const Projection& project) {
+  Corners corners;
+  for (std::uint32_t c = 0; c < polygon.corner_count; ++c)
+    corners.push_back(project(tree.set.vertex(tree.set.corners(polygon)[c])));
+  return corners;
+}
+
+Vec3 centre_of(const BspTree& tree, const WorkPolygon& polygon) {
   Vec3 centre{};
-  for (std::uint32_t c = 0; c < polygon.corner_count; ++c) {
-    const Vec3& v = tree.set.vertex(tree.set.corners(polygon)[c]);
-    corners.push_back(project(v));
-    centre = centre + v * (1.0 / polygon.corner_count);
+  for (std::uint32_t c = 0; c < polygon.corner_count; ++c)
+    centre = centre + tree.set.vertex(tree.set.corners(polygon)[c]) * (1.0 / polygon.corner_count);
+  return centre;
+}
+
+// A convex polygon, in either sense.
+bool contains(const Corners& corners, const Vec2& at) {
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const double side = (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);
+    left = left || side > 0;
+    right = right || side < 0;
   }
-  drawing.polygon(corners, {.fill = "#ffffff"});
-  const Vec3& normal = tree.set.planes[polygon.plane].normal;
+  return !(left && right);
+}
+
+// Where the middle of a name lies best: on its polygon and off those drawn later, as near the
+// centre as possible; the centre where there is no such place.
+Vec2 place_of_name(const Corners& own, const Vec2& centre, std::span<const Corners> later) {
+  constexpr double kHalfWidth = 9, kHalfHeight = 6;
+  constexpr int kSteps = 16;
+  const auto covered = [&](const Vec2& at) {
+    for (const double dx : {-kHalfWidth, 0.0, kHalfWidth})
+      for (const double dy : {-kHalfHeight, kHalfHeight})
+        for (const Corners& corners : later)
+          if (contains(corners, {at.x + dx, at.y + dy})) return true;
+    return false;
+  };
+  for (int step = 0; step < kSteps; ++step)
+    for (const Vec2& corner : own) {
+      const double t = static_cast<double>(step) / kSteps;
+      const Vec2 at{centre.x + t * (corner.x - centre.x), centre.y + t * (corner.y - centre.y)};
+      if (!covered(at)) return at;
+    }
+  return centre;
+}
+
+// An arrow from the centre, where the positive side is seen.
+void draw_normal(SvgDrawing& drawing, const Vec3& normal, const Vec3& centre,
+                 const Projection& project) {
   const double length = std::hypot(normal.x, normal.y, normal.z);
   if (!(length > 0) || dot(normal, Projection::kTowardsEye) <= 0) return;
   const Vec3 tip = centre + normal * (14 / (length * project.scale));
   drawing.line(project(centre), project(tip), {.stroke = "#a33a2c", .width = 1.2});
   drawing.circle(project(tip), 1.8, {.stroke = "#a33a2c", .fill = "#a33a2c"});
-  const Vec2 at = project(centre);
-  drawing.text({at.x + 4, at.y + 10}, name, 9);
 }
 
 void draw_scene(SvgDrawing& drawing, const BspTree& tree, const std::vector<std::string>& names,
-                const Vec2& corner) {
-  const Projection project = fit(tree, corner);
+                const Projection& project) {
   // Far enough away for all lines of sight to be almost parallel.
   double reach = 1;
   for (std::uint32_t v = 0; v < tree.set.vertex_count(); ++v) {
@@ -165,8 +206,20 @@ void draw_scene(SvgDrawing& drawing, const BspTree& tree, const std::vector<std:
   }
   std::vector<std::string> name_of(tree.set.items.size());
   for (std::size_t m = 0; m < names.size(); ++m) name_of[tree.members[m]] = names[m];
-  for (const std::uint32_t item : back_to_front(tree, Projection::kTowardsEye * (1e6 * reach)))
-    draw_part(drawing, tree, item, name_of[item], project);
+  const std::vector<std::uint32_t> order =
+      back_to_front(tree, Projection::kTowardsEye * (1e6 * reach));
+  std::vector<Corners> parts;
+  for (const std::uint32_t item : order)
+    parts.push_back(projected(tree, tree.polygon(item), project));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const WorkPolygon& polygon = tree.polygon(order[i]);
+    const Vec3 centre = centre_of(tree, polygon);
+    drawing.polygon(parts[i], {.fill = "#ffffff"});
+    draw_normal(drawing, tree.set.planes[polygon.plane].normal, centre, project);
+    const Vec2 beside{project(centre).x + 10, project(centre).y + 7};  // of the arrow
+    const Vec2 at = place_of_name(parts[i], beside, std::span(parts).subspan(i + 1));
+    drawing.text({at.x, at.y + 3}, name_of[order[i]], 9, SvgAnchor::kMiddle);
+  }
 }
 
 }  // namespace
@@ -180,13 +233,18 @@ std::string bsp_picture(const BspTree& tree) {
     right = std::max(right, place.at.x + kMargin);
     low = std::max(low, place.at.y + kMargin);
   }
-  SvgDrawing drawing(scene ? right + kSceneSize + kMargin : right,
-                     scene ? std::max(low, kSceneSize + 2 * kMargin + 30) : low, "BSP tree");
+  constexpr double kHeading = 30;
+  Projection project;
+  if (scene) {
+    project = fit(tree, {right, kMargin + kHeading});
+    low = std::max(low, project.height + 2 * kMargin + kHeading);
+  }
+  SvgDrawing drawing(scene ? right + kSceneSize + kMargin : right, low, "BSP tree");
   drawing.text({kMargin, 24}, "Left branches are positive", 12);
   draw_tree(drawing, tree, places, names);
   if (scene) {
     drawing.text({right, 24}, "Arrows on the positive sides that are seen", 12);
-    draw_scene(drawing, tree, names, {right, kMargin + 30});
+    draw_scene(drawing, tree, names, project);
   }
   return drawing.svg();
 }

@@ -22,6 +22,7 @@ namespace cigsim {
 namespace {
 
 constexpr std::uint64_t kMostRounds = 1000;
+constexpr const char* kFigures = "tradeoff.json";
 constexpr std::size_t kPathFrames = 5;          // of a path, unless --frames tells
 constexpr double kMostReferences = 4294967296;  // bytes that the right pictures may take
 constexpr double kReferenceBytes = 10;          // an element: colour, number, distance
@@ -102,9 +103,11 @@ int tradeoff_command(const Options& options) {
   const std::string json = dump(tradeoff_json(result)) + "\n";
   std::vector<std::filesystem::path> files;
   if (options.out) {
-    files.push_back(std::filesystem::path(*options.out) / "tradeoff.json");
+    const std::filesystem::path folder = *options.out;
+    remove_earlier(folder, {kFigures, kTradeoffPlots});
+    files.push_back(write_tradeoff_plots(result, folder));
+    files.push_back(folder / kFigures);
     write_file(files.back(), json);
-    files.push_back(write_tradeoff_plots(result, *options.out));
   }
   if (options.json) {
     fmt::print("{}", json);

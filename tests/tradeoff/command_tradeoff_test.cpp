@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/sim/process.hpp"
@@ -133,6 +135,26 @@ TEST_F(CommandTest, TradeoffPrintsATableAndWritesItsFiles) {
   const std::string svg = contents("new/folder/tradeoff.svg");
   EXPECT_NE(svg.find("Pareto front"), std::string::npos);
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
+}
+
+// A drawing of an earlier run does not stay beside figures, or without them.
+TEST_F(CommandTest, TradeoffThatCannotDrawLeavesNothingOfAnEarlierOne) {
+  std::filesystem::create_directory(folder_ / "out");
+  for (const char* old : {"out/tradeoff.json", "out/tradeoff.svg", "out/notes.json"})
+    put(old, "{}");
+  std::filesystem::create_directory(folder_ / "bin");
+  put("bin/gnuplot", "#!/bin/sh\nexit 1\n");
+  std::filesystem::permissions(folder_ / "bin/gnuplot", std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", ((folder_ / "bin").string() + ":" + path).c_str(), 1);
+  const Outcome outcome = cigsim(
+      {"tradeoff", "--raster", "40x30", "--levels", "functional", "--rounds", "1", "--out", "out"});
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("was not drawn"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/tradeoff.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/tradeoff.svg"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/notes.json"));
 }
 
 TEST_F(CommandTest, TradeoffGivesUpWhatTakesTooLong) {
