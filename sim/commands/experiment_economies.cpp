@@ -131,6 +131,7 @@ int run(const Options& options) {
   const nlohmann::ordered_json json = economies_json(reports, economies);
   std::vector<std::filesystem::path> files;
   if (options.out) {
+    remove_earlier(*options.out, {"economies.json", "economies.svg"});
     files.push_back(write_economies_plots(reports, *options.out));
     files.push_back(std::filesystem::path(*options.out) / "economies.json");
     write_file(files.back(), dump(json) + "\n");

@@ -65,6 +65,7 @@ int run(const Options& options) {
   const nlohmann::ordered_json json = growth_json(results);
   std::vector<std::filesystem::path> files;
   if (options.out) {
+    remove_earlier(*options.out, {"growth.json", "growth.svg"});
     files.push_back(write_growth_plots(results, *options.out));
     files.push_back(std::filesystem::path(*options.out) / "growth.json");
     write_file(files.back(), dump(json) + "\n");

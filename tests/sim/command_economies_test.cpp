@@ -120,6 +120,34 @@ TEST_F(EconomyCommand, ExperimentGrowthWritesTheSameFiguresTwice) {
   EXPECT_EQ(a["good"], true);
 }
 
+// A folder tells of one run: what stood there of these names is of this one, or gone; nothing else
+// is touched. A figure that cannot be drawn leaves no figures of another run beside it.
+TEST_F(EconomyCommand, AFolderTellsOfOneExperiment) {
+  for (const std::string name : {"economies", "growth"}) {
+    std::filesystem::create_directories(folder_ / name);
+    put(name + "/" + name + ".json", "{}");
+    put(name + "/" + name + ".svg", "old");
+    put(name + "/notes.txt", "mine");
+    put(name + "/" + (name == "growth" ? "economies" : "growth") + ".json", "another's");
+    std::vector<std::string> words{"experiment", name, "--quick", "--out", name};
+    if (name == "economies")
+      words.insert(words.end(), {"--scene", CIGSIM_SOURCE_DIR "/scenes/levine-cubes-4.json"});
+    const Outcome outcome = cigsim(words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(contents(name + "/" + name + ".json"))["experiment"], name);
+    EXPECT_EQ(contents(name + "/" + name + ".svg").find("old"), std::string::npos);
+    EXPECT_EQ(contents(name + "/notes.txt"), "mine");
+    EXPECT_EQ(contents(name + "/" + (name == "growth" ? "economies" : "growth") + ".json"),
+              "another's");
+
+    std::filesystem::remove(folder_ / name / (name + ".svg"));
+    std::filesystem::create_directories(folder_ / name / (name + ".svg"));
+    EXPECT_NE(cigsim(words).exit_code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / name / (name + ".json")));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / name / "notes.txt"));
+  }
+}
+
 TEST_F(EconomyCommand, ExperimentsRefuseWhatTheyCannotUse) {
   expect_unusable({"experiment", "economies", "--scene", "none.json"}, "none.json");
   expect_unusable({"experiment", "economies", "--rounds", "0"}, "--rounds");
