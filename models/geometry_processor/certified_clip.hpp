@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Clipping of a face's loop to the pyramid of vision in doubles with error bounds, plane by plane
-// as in clip.hpp. The bounds are derived in functional_certified.cpp.
+// as in clip.hpp; where a bound leaves a cut of an edge in doubt, without rounding. The bounds are
+// derived in functional_certified.cpp.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "models/boundary/transactions.hpp"
+#include "models/boundary/exact_direction.hpp"
+#include "models/geometry_processor/clip.hpp"
 
 namespace cigsim::geometry_processor {
 
@@ -28,24 +31,44 @@ struct LoopCorner {
   std::uint32_t vertex = kNone;  ///< of the item, if it is one
   std::uint8_t outside = 0;      ///< a bit a side
   std::uint8_t unknown = 0;      ///< sides of which `outside` is not known
+  LoopLine cut;                  ///< if it is no vertex, the line that was cut
+  int cut_side = 0;              ///< and the side of the pyramid that cut it
+};
+
+/// A view without rounding.
+struct ExactPyramid {
+  explicit ExactPyramid(const ViewTransform& view) : axes(view), sides(view) {}
+
+  ExactAxes axes;
+  PyramidSides<Dyadic> sides;
 };
 
 class CertifiedClip {
  public:
   CertifiedClip() = default;
+  /// The view must outlive it.
   explicit CertifiedClip(const ViewTransform& view);
 
   /// A point's distance from a side is off by less than this times its error.
   double spread() const { return spread_; }
-  /// Clips the loop against the sides of `sides`. False: a decision was in doubt, and the loop
-  /// means nothing.
-  bool clip(std::uint8_t sides, std::vector<LoopCorner>& loop);
+  /// Clips the loop against the sides of `sides`; its vertices are those of the set from
+  /// `first_vertex` on. False: a decision remained in doubt, and the loop means nothing.
+  bool clip(std::uint8_t sides, const FaceSet& set, std::uint32_t first_vertex,
+            std::vector<LoopCorner>& loop);
+  /// The last clip() decided something without rounding.
+  bool settled() const { return settled_; }
+  /// Made at the first call.
+  const ExactPyramid& exact();
 
  private:
   double distance(int side, const CertifiedPoint& p) const;
-  bool classify(int side, LoopCorner& corner) const;
+  bool classify(int side, const FaceSet& set, std::uint32_t first_vertex, LoopCorner& corner);
+  bool settle(int side, const FaceSet& set, std::uint32_t first_vertex, LoopCorner& corner);
   LoopCorner cut(const LoopCorner& a, const LoopCorner& b, int side) const;
 
+  const ViewTransform* view_ = nullptr;
+  std::optional<ExactPyramid> exact_;
+  bool settled_ = false;
   double focal_ = 0, half_width_ = 0, half_height_ = 0, spread_ = 0;
   std::vector<LoopCorner> scratch_;
 };

@@ -71,7 +71,6 @@ void Functional<Certified>::compute(const ViewTransform& view, const FrameSets& 
 
 void Functional<Certified>::start(const ViewTransform& view) {
   view_ = &view;
-  exact_view_.reset();
   half_width_ = view.raster.width / 2.0;
   half_height_ = view.raster.height / 2.0;
   double largest = 0;
@@ -131,8 +130,7 @@ void Functional<Certified>::classify(const FaceSet& set, const Item& item, std::
 void Functional<Certified>::classify_exactly(const FaceSet& set, std::uint32_t vertex,
                                              std::uint32_t i) {
   ++redone_.vertices_redone;
-  if (!exact_view_) exact_view_.emplace(ExactAxes(*view_), PyramidSides<Dyadic>(*view_));
-  const auto& [axes, sides] = *exact_view_;
+  const auto& [axes, sides] = clip_.exact();
   const auto [u, v, w] = exact_direction(set, vertex, axes);
   codes_[i] = sides.outcode({u, v, w});
   if (codes_[i] != 0) return;
@@ -180,10 +178,11 @@ void Functional<Certified>::process(const FaceSet& set, const Item& item, std::u
   }
   if (all != 0) return;
   ++redone_.faces;
-  if (any != 0 && ((any & kUnplaced) != 0 || !clip(set, face, any) || !place_loop())) {
+  if (any != 0 && ((any & kUnplaced) != 0 || !clip(set, item, face, any) || !place_loop())) {
     process_exactly(set, item, face, out);
     return;
   }
+  redone_.faces_redone += any != 0 && clip_.settled();
   begin_face(face, out);
   if (any == 0) {
     for (std::uint32_t c = 0; c < face.corner_count; ++c) {
@@ -232,14 +231,15 @@ void Functional<Certified>::process_exactly(const FaceSet& set, const Item& item
 }
 
 // False: a decision is in doubt.
-bool Functional<Certified>::clip(const FaceSet& set, const PreparedFace& face, std::uint8_t sides) {
+bool Functional<Certified>::clip(const FaceSet& set, const Item& item, const PreparedFace& face,
+                                 std::uint8_t sides) {
   loop_.clear();
   const std::uint32_t* corners = set.corners.data() + face.first_corner;
   for (std::uint32_t c = 0; c < face.corner_count; ++c) {
     const std::uint32_t a = corners[c], b = corners[c + 1 < face.corner_count ? c + 1 : 0];
-    loop_.push_back({points_[a], {a, b}, a, codes_[a], 0});
+    loop_.push_back({points_[a], {a, b}, a, codes_[a], 0, {}, 0});
   }
-  return clip_.clip(sides, loop_);
+  return clip_.clip(sides, set, item.first_vertex, loop_);
 }
 
 // False: a line is in doubt.

@@ -9,13 +9,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "models/boundary/certified_edges.hpp"
-#include "models/boundary/exact_direction.hpp"
 #include "models/geometry_processor/certified_clip.hpp"
 #include "models/geometry_processor/functional.hpp"
 #include "models/numeric/dyadic.hpp"
@@ -54,7 +51,7 @@ class Functional<Certified> {
   void process(const FaceSet& set, const Item& item, std::uint32_t face, EdgeList<Certified>& out);
   void process_exactly(const FaceSet& set, const Item& item, const PreparedFace& face,
                        EdgeList<Certified>& out);
-  bool clip(const FaceSet& set, const PreparedFace& face, std::uint8_t sides);
+  bool clip(const FaceSet& set, const Item& item, const PreparedFace& face, std::uint8_t sides);
   bool place_loop();
   void begin_face(const PreparedFace& face, const EdgeList<Certified>& out);
   void add_edge(const Place& a, const Place& b, const LoopLine& line, const Item& item, bool front,
@@ -82,8 +79,6 @@ class Functional<Certified> {
   double twice_area_ = 0;
   GeometryRedone redone_;
 
-  // Of the view, once a vertex was in doubt.
-  std::optional<std::pair<ExactAxes, PyramidSides<Dyadic>>> exact_view_;
   Functional<Exact> exact_;
   EdgeList<Exact> exact_edges_;
   FaceSet one_face_;  // for exact_

@@ -222,6 +222,44 @@ std::array<Vec3, 3> hard_triangle(const Vec3& eye, Random& random) {
   return {eye + a, eye + b, eye + c};
 }
 
+// Edges that leave a square picture through its corner, or beside it by a hair.
+TEST(CertifiedEdges, ThroughCornersOfThePictureAreTheExactOnes) {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const auto whole = [&](double low, double high) {
+      return std::round(random.between(low, high));
+    };
+    const double unit = random.below(2) ? 1 : 0.1;
+    FaceSet set;
+    for (std::uint32_t i = 0; i < 10; ++i) {
+      const double right = random.below(2) ? 1 : -1, up = random.below(2) ? 1 : -1;
+      const auto diagonal = [&](double k) { return Vec3{right * k, whole(-3, 12), up * k} * unit; };
+      Vec3 corners[3] = {diagonal(whole(1, 9)), diagonal(whole(1, 9)),
+                         Vec3{whole(-9, 9), whole(1, 12), whole(-9, 9)} * unit};
+      if (random.below(3) == 0)
+        corners[0].x = std::nextafter(corners[0].x, random.below(2) ? 9 : -9);
+      set.items.push_back({i, 1, 3 * i, 3, {}});
+      set.faces.push_back({3 * i, 3, i, i + 1, {}, true});
+      set.planes.push_back(plane_through(corners[0], corners[1], corners[2]));
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        set.vertices.push_back(corners[k]);
+        set.corners.push_back(k);
+      }
+    }
+    Viewpoint viewpoint;
+    viewpoint.fov = random.below(2) ? 90 : random.between(20, 120);
+    const int side = 1 + static_cast<int>(random.below(64));
+    const ViewTransform view = frame_calculator::view_transform(viewpoint, {side, side});
+    const std::uint64_t wrong = tally.wrong;
+    compare(set, view, 1, tally);
+    EXPECT_EQ(tally.wrong, wrong);
+  }
+  std::cout << tally.text() << "\n";
+  EXPECT_GT(tally.faces_redone, 100u);
+}
+
 TEST(CertifiedEdges, OfTrianglesAtTheExtremesAreTheExactOnes) {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
