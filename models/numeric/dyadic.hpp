@@ -43,8 +43,10 @@ class Dyadic {
     return {mpz_class(a.whole(exponent) + b.whole(exponent)), exponent};
   }
   friend Dyadic operator-(const Dyadic& a) {
-    if (a.long_) return {mpz_class(-*a.long_), a.exponent_};
-    return a * Dyadic(-1.0);
+    Short negative = 0;
+    if (!a.long_ && !__builtin_sub_overflow(Short{0}, a.short_, &negative))
+      return {negative, a.exponent_};
+    return {mpz_class(-a.whole(a.exponent_)), a.exponent_};
   }
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
