@@ -30,9 +30,11 @@ class Pyramid {
   /// inside), or kOutside.
   unsigned remaining(const Sphere& sphere, unsigned planes) const {
     const Vec3 d = sphere.centre - eye_;
-    const double slack = 0x1p-48 * (std::abs(sphere.centre.x) + std::abs(sphere.centre.y) +
-                                    std::abs(sphere.centre.z) + std::abs(eye_.x) +
-                                    std::abs(eye_.y) + std::abs(eye_.z));
+    // The last term is for what underflows.
+    const double slack =
+        0x1p-1060 + 0x1p-48 * (std::abs(sphere.centre.x) + std::abs(sphere.centre.y) +
+                               std::abs(sphere.centre.z) + std::abs(eye_.x) + std::abs(eye_.y) +
+                               std::abs(eye_.z));
     const double reach = sphere.radius + slack;
     for (unsigned rest = planes; rest != 0; rest &= rest - 1) {
       const double distance = dot(normals_[static_cast<std::size_t>(std::countr_zero(rest))], d);

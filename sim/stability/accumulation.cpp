@@ -25,6 +25,7 @@ constexpr int kFiner = 16;
 struct Trial {
   FaceSet set;
   ViewTransform view;
+  double top_x = 0, top_y = 0, bottom_x = 0, bottom_y = 0;  ///< of the long edge, on the raster
 };
 
 Trial make_trial(int lines, Random& random) {
@@ -36,7 +37,7 @@ Trial make_trial(int lines, Random& random) {
   const double top_y = sixteenths(0, 0.5), bottom_y = lines - sixteenths(0, 0.4);
   const double third_x = top_x + bottom_x < lines ? lines - 1 : 1;
   const auto corner = [&](double x, double y) { return Vec3{x - half, half, half - y}; };
-  Trial trial;
+  Trial trial{{}, {}, top_x, top_y, bottom_x, bottom_y};
   trial.set.vertices = {corner(top_x, top_y), corner(bottom_x, bottom_y), corner(third_x, half)};
   trial.set.corners = {0, 1, 2};
   trial.set.planes = {
@@ -162,31 +163,50 @@ double error_of(const Stepped& got, std::size_t line, const Exact& exact) {
   return std::max(0.0, -above - got.below);
 }
 
+// The long edge by the equation of its line: columns measured from the first sample.
 struct ExactEdge {
-  Edge<Exact> edge;
+  int first_line = 0;
+  Exact slope;
   std::vector<Exact> place;
-  std::vector<std::int32_t> element;
+  std::vector<std::int32_t> element;  ///< the first whose sample is not left of it
 };
 
 ExactEdge exact_edge(const Trial& trial) {
-  ExactEdge out{set_up<Exact>(trial), {}, {}};
-  const Edge<Exact>& edge = out.edge;
-  out.element.resize(static_cast<std::size_t>(edge.end_line - edge.first_line));
-  edge_orderer::step_edge(edge, edge.first_line, edge.end_line, trial.view.raster.width,
-                          out.element.data());
-  Exact place = edge.x;
-  for (std::size_t k = 0; k < out.element.size(); ++k, place += edge.slope)
-    out.place.push_back(place);
+  const Exact half(0.5), top(trial.top_y), bottom(trial.bottom_y);
+  const Raster& raster = trial.view.raster;
+  ExactEdge out;
+  out.first_line = ceil_clamped(Exact(top - half), 0, raster.height);
+  out.slope = (Exact(trial.bottom_x) - Exact(trial.top_x)) / (bottom - top);
+  const int end = ceil_clamped(Exact(bottom - half), 0, raster.height);
+  for (int line = out.first_line; line < end; ++line) {
+    out.place.push_back(Exact(trial.top_x + out.slope * (line + half - top) - half));
+    out.element.push_back(ceil_clamped(out.place.back(), 0, raster.width));
+  }
   return out;
 }
 
+// A line that one of the two has and the other does not.
+void note_line(Accumulation& result, int lines_below) {
+  for (AccumulationPoint& point : result.points) {
+    if (lines_below >= point.lines) continue;
+    ++point.crossings;
+    ++point.wrong;
+  }
+}
+
 void compare(const ExactEdge& exact, const Stepped& got, Accumulation& result) {
-  const double slope = std::abs(to_double(exact.edge.slope));
-  // Where rounding moves the first line, the lines that both have are compared.
-  const int shift = got.first_line - exact.edge.first_line;
+  const double slope = std::abs(to_double(exact.slope));
+  // Where rounding moves the first or the last line, the lines that both have are compared.
+  const int shift = got.first_line - exact.first_line;
+  const auto lines = static_cast<int>(exact.place.size()), end = static_cast<int>(got.place.size());
+  for (int line = 0; line < lines; ++line)
+    if (line < shift || line >= shift + end) note_line(result, line);
   for (std::size_t k = 0; k < got.place.size(); ++k) {
     const auto at = static_cast<std::ptrdiff_t>(k) + shift;
-    if (at < 0 || at >= static_cast<std::ptrdiff_t>(exact.place.size())) continue;
+    if (at < 0 || at >= lines) {
+      note_line(result, static_cast<int>(k));
+      continue;
+    }
     const auto line = static_cast<std::size_t>(at);
     const double error = error_of(got, k, exact.place[line]);
     const double bound = slope_bound(result.format, slope, static_cast<int>(k), result.raster);

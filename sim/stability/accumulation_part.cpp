@@ -30,12 +30,12 @@ Json rows(const std::vector<Accumulation>& results) {
 
 std::string table(const std::vector<Accumulation>& results) {
   std::string text = "Slopes: how far an edge goes astray, elements, after so many lines\n";
-  text += fmt::format("  {:<14}{:>8}{:>8}{:>12}{:>12}{:>7}{:>16}\n", "format", "raster", "lines",
+  text += fmt::format("  {:<19}{:>8}{:>8}{:>12}{:>12}{:>7}{:>19}\n", "format", "raster", "lines",
                       "worst", "bound", "held", "wrong elements");
   for (const Accumulation& a : results)
     for (const AccumulationPoint& p : a.points) {
       if (p.lines != 480 && p.lines != 1024 && p.lines < 4096) continue;
-      text += fmt::format("  {:<14}{:>8}{:>8}{:>12.3g}{:>12.3g}{:>7}{:>16}\n", a.format.name,
+      text += fmt::format("  {:<19}{:>8}{:>8}{:>12.3g}{:>12.3g}{:>7}{:>19}\n", a.format.name,
                           a.raster, p.lines, p.worst, p.bound, p.held ? "yes" : "NO",
                           fmt::format("{} of {}", p.wrong, p.crossings));
     }

@@ -10,7 +10,7 @@ namespace cigsim::stability {
 namespace {
 
 // A judged frame of one format.
-struct Evidence {
+struct JudgedFrame {
   Measures measures;
   FrameFaults faults;
   SearchAxis axis = SearchAxis::kRaster;
@@ -84,19 +84,19 @@ bool explained(const Envelope& envelope, const Measures& measures, Quantity q) {
   return false;
 }
 
-void find_limit(const std::vector<Evidence>& all, Quantity q, Envelope& envelope) {
+void find_limit(const std::vector<JudgedFrame>& all, Quantity q, Envelope& envelope) {
   EnvelopeLimit& limit = envelope.limits[static_cast<std::size_t>(q)];
-  std::vector<const Evidence*> evidence;
-  for (const Evidence& e : all)
-    if (tells_of(e.axis, q) && !explained(envelope, e.measures, q)) evidence.push_back(&e);
-  if (evidence.empty()) return;
+  std::vector<const JudgedFrame*> frames;
+  for (const JudgedFrame& e : all)
+    if (tells_of(e.axis, q) && !explained(envelope, e.measures, q)) frames.push_back(&e);
+  if (frames.empty()) return;
   limit.searched = true;
-  std::stable_sort(evidence.begin(), evidence.end(), [q](const Evidence* a, const Evidence* b) {
+  std::stable_sort(frames.begin(), frames.end(), [q](const JudgedFrame* a, const JudgedFrame* b) {
     return hardness(a->measures, q) < hardness(b->measures, q);
   });
-  const auto value = [q](const Evidence& e) { return e.measures.*named(q).field; };
-  limit.reached = value(*evidence.back());
-  for (const Evidence* e : evidence) {
+  const auto value = [q](const JudgedFrame& e) { return e.measures.*named(q).field; };
+  limit.reached = value(*frames.back());
+  for (const JudgedFrame* e : frames) {
     if (is_wrong(e->faults, q)) {
       limit.failure = EnvelopeFailure{
           *e->world, std::string(name_of(e->axis)), e->step, e->view, value(*e), e->faults};
@@ -107,7 +107,7 @@ void find_limit(const std::vector<Evidence>& all, Quantity q, Envelope& envelope
   // A wrong frame as hard as the last right one: the value before it.
   if (limit.failure && limit.value == limit.failure->value) {
     limit.value.reset();
-    for (const Evidence* e : evidence) {
+    for (const JudgedFrame* e : frames) {
       if (value(*e) == limit.failure->value) break;
       limit.value = value(*e);
     }
@@ -119,7 +119,7 @@ class Search {
   explicit Search(const EnvelopeOptions& options)
       : options_(options),
         worlds_(search_worlds(options.seed, options.airfield)),
-        evidence_(options.formats.size()) {}
+        frames_(options.formats.size()) {}
 
   std::vector<Envelope> run() {
     for (const SearchAxis axis : kSearchAxes) count_steps(axis);
@@ -128,10 +128,10 @@ class Search {
     for (std::size_t f = 0; f < options_.formats.size(); ++f) {
       Envelope& envelope = out.emplace_back();
       envelope.format = options_.formats[f];
-      envelope.frames = evidence_[f].size();
-      for (const Evidence& e : evidence_[f]) envelope.wrong += e.faults.any();
+      envelope.frames = frames_[f].size();
+      for (const JudgedFrame& e : frames_[f]) envelope.wrong += e.faults.any();
       for (const QuantityName& q : quantity_names()) {
-        find_limit(evidence_[f], q.quantity, envelope);
+        find_limit(frames_[f], q.quantity, envelope);
         envelope.limits[static_cast<std::size_t>(q.quantity)].predicted =
             predicted_limit(envelope.format, q.quantity);
       }
@@ -179,15 +179,15 @@ class Search {
         // The words of two machines may be the same.
         std::size_t same = 0;
         while (!same_numbers(options_.formats[same], format)) ++same;
-        const FrameFaults faults = same < f ? evidence_[same].back().faults : frame.judge(format);
-        evidence_[f].push_back({measures, faults, axis, step, view, &worlds_[w].name});
+        const FrameFaults faults = same < f ? frames_[same].back().faults : frame.judge(format);
+        frames_[f].push_back({measures, faults, axis, step, view, &worlds_[w].name});
       }
     }
   }
 
   const EnvelopeOptions& options_;
   std::vector<SearchWorld> worlds_;
-  std::vector<std::vector<Evidence>> evidence_;  // by format
+  std::vector<std::vector<JudgedFrame>> frames_;  // by format
   int steps_ = 0, done_ = 0;
 };
 

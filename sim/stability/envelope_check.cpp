@@ -99,7 +99,7 @@ std::vector<Measured> measure_frames(const Database& database, const MachineOpti
     calculator.compute(views[f].viewpoint, options.raster, views[f].position, active, moving);
     priority.compute(database.systems[0].hierarchy, database.systems[0].set, active,
                      database.ground, list);
-    out.push_back({f, measure(database, active, moving, list.items)});
+    out.push_back({f, measures_of(database, active, moving, list.items)});
     faces += 1 + database.ground.faces.size() + moving.faces.size();
     for (const ItemRef& ref : list.items)
       if (ref.set == SetId::kStatic) faces += database.systems[0].set.items[ref.item].face_count;

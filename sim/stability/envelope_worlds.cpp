@@ -165,7 +165,7 @@ SteppedWorld::Sight SteppedWorld::sight(const Viewpoint& viewpoint) const {
   priority_processor::Functional<double> priority(PriorityMethod::kCounters);
   priority.compute(database_.systems[0].hierarchy, database_.systems[0].set, s.active,
                    database_.ground, s.list);
-  s.measures = measure(database_, s.active, s.moving, s.list.items);
+  s.measures = measures_of(database_, s.active, s.moving, s.list.items);
   return s;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "models/frame_calculator/functional.hpp"
 #include "models/frame_calculator/memory_loader.hpp"
@@ -53,6 +54,26 @@ ExactFrame::ExactFrame(const Database& database, const Viewpoint& viewpoint, con
   options.number = NumberType::kExact;
   options.raster = raster;
   picture_ = FunctionalMachine(database, options).compute(viewpoint, position);
+  judge_sides();
+}
+
+// The exact list, and those of doubles, come of side(): it is held against the planes' polynomials.
+void ExactFrame::judge_sides() {
+  const Vec3& eye = active_.view.eye;
+  const PriorityHierarchy& hierarchy = database_.systems[0].hierarchy;
+  for (const ActiveGroup& in_view : active_.groups) {
+    const Group& group = hierarchy.groups[in_view.group];
+    for (std::uint32_t n = group.first_node; n < group.first_node + group.node_count; ++n) {
+      const Plane& plane = hierarchy.planes[hierarchy.nodes[n].plane];
+      wrong_sides_ += side(plane, eye) != exact_side(plane.exact, eye);
+    }
+  }
+  for (const ItemRef& ref : list_.items) {
+    const FaceSet& from = *sets()[static_cast<std::size_t>(ref.set)];
+    const Item& item = from.items[ref.item];
+    for (std::uint32_t f = item.first_face; f < item.first_face + item.face_count; ++f)
+      facings_.push_back(exact_side(from.planes[from.faces[f].plane].exact, eye));
+  }
 }
 
 std::array<const FaceSet*, 3> ExactFrame::sets() const {
@@ -70,8 +91,8 @@ FrameFaults ExactFrame::judge(const Format& format) const {
     case Arithmetic::kDouble:
       compare_decisions<double>(faults);
       break;
-    case Arithmetic::kCertified:  // sides are exact, as with doubles
-      compare_decisions<double>(faults);
+    case Arithmetic::kCertified:
+      compare_decisions<Certified>(faults);
       break;
     case Arithmetic::kMachine:
       compare_words(format, faults);
@@ -107,13 +128,16 @@ void ExactFrame::compare_decisions(FrameFaults& faults) const {
   PriorityList list;
   priority.compute(system.hierarchy, system.set, active_, database_.ground, list);
   faults.priorities = misplaced(list.items);
+  // Certified faces are turned away as those of doubles are.
+  using Decider = std::conditional_t<std::is_same_v<N, Certified>, double, N>;
+  auto right = facings_.begin();
   for (const ItemRef& ref : list_.items) {
     const FaceSet& from = *sets()[static_cast<std::size_t>(ref.set)];
     const Item& item = from.items[ref.item];
     for (std::uint32_t f = item.first_face; f < item.first_face + item.face_count; ++f) {
       const Plane& plane = from.planes[from.faces[f].plane];
-      const int got = geometry_processor::Functional<N>::facing(plane, active_.view.eye);
-      faults.facings += got != exact_side(plane.exact, active_.view.eye);
+      const int got = geometry_processor::Functional<Decider>::facing(plane, active_.view.eye);
+      faults.facings += got != *right++;
     }
   }
 }
@@ -129,6 +153,7 @@ void ExactFrame::compare_words(const Format& format, FrameFaults& faults) const 
   for (const ItemWord& word : words)
     if (!word.end) items.push_back({word.set, word.item});
   faults.priorities = misplaced(items);
+  auto of_item = facings_.begin();
   for (const ItemRef& ref : list_.items) {
     const FaceSet& from = *sets()[static_cast<std::size_t>(ref.set)];
     const Item& item = from.items[ref.item];
@@ -136,15 +161,17 @@ void ExactFrame::compare_words(const Format& format, FrameFaults& faults) const 
         shown_faces(options.description, loader.geometry_banks()[0], {ref.set, ref.item, false});
     for (std::uint32_t f = 0; f < shown.size() && f < item.face_count; ++f) {
       const PreparedFace& face = from.faces[item.first_face + f];
-      const int right = exact_side(from.planes[face.plane].exact, active_.view.eye);
+      const int right = of_item[f];
       faults.facings += shown[f] != (right > 0 || (right < 0 && face.two_sided));
     }
+    of_item += item.face_count;
   }
 }
 
 std::uint64_t ExactFrame::misplaced(const std::vector<ItemRef>& items) const {
-  std::uint64_t count = items.size() > list_.items.size() ? items.size() - list_.items.size()
-                                                          : list_.items.size() - items.size();
+  std::uint64_t count = wrong_sides_;
+  count += items.size() > list_.items.size() ? items.size() - list_.items.size()
+                                             : list_.items.size() - items.size();
   for (std::size_t i = 0; i < std::min(items.size(), list_.items.size()); ++i)
     count += !(items[i] == list_.items[i]);
   return count;

@@ -41,7 +41,7 @@ class ExactFrame {
   /// What is in view, by priority.
   const std::vector<ItemRef>& items() const { return list_.items; }
   const Picture& picture() const { return picture_; }
-  Measures measures() const { return measure(database_, active_, moving_, list_.items); }
+  Measures measures() const { return measures_of(database_, active_, moving_, list_.items); }
 
  private:
   std::array<const FaceSet*, 3> sets() const;
@@ -50,6 +50,7 @@ class ExactFrame {
   template <class N>
   void compare_decisions(FrameFaults& faults) const;
   void compare_words(const Format& format, FrameFaults& faults) const;
+  void judge_sides();
   std::uint64_t misplaced(const std::vector<ItemRef>& items) const;
 
   const Database& database_;
@@ -60,6 +61,8 @@ class ExactFrame {
   FaceSet moving_;
   PriorityList list_;
   Picture picture_;
+  std::vector<int> facings_;       // of the items' faces, by rationals: 1, -1, 0 edge on
+  std::uint64_t wrong_sides_ = 0;  // of separation planes, that the exact list was made from
 };
 
 }  // namespace cigsim::stability

@@ -140,8 +140,8 @@ Measures& Measures::operator|=(const Measures& other) {
   return *this;
 }
 
-Measures measure(const Database& database, const ActiveEnvironment& active, const FaceSet& moving,
-                 const std::vector<ItemRef>& items) {
+Measures measures_of(const Database& database, const ActiveEnvironment& active,
+                     const FaceSet& moving, const std::vector<ItemRef>& items) {
   const std::array<const FaceSet*, 3> sets{&database.systems[0].set, &moving, &database.ground};
   const ViewTransform& view = active.view;
   Measures m;

@@ -26,7 +26,7 @@ struct Measures {
 /// Planes across an axis in which the eyepoint lies at a coordinate that every format holds do not
 /// count: there nothing is rounded. With nothing in view only `lines` and `largest` are told; the
 /// rest is what asks least.
-Measures measure(const Database& database, const ActiveEnvironment& active, const FaceSet& moving,
-                 const std::vector<ItemRef>& items);
+Measures measures_of(const Database& database, const ActiveEnvironment& active,
+                     const FaceSet& moving, const std::vector<ItemRef>& items);
 
 }  // namespace cigsim::stability

@@ -23,6 +23,26 @@ std::vector<Outcome> alike(const Outcome& outcome, std::span<const Format> forma
   return std::vector<Outcome>(formats.size(), outcome);
 }
 
+// What the points span, by looking for points off the line and the plane of others.
+int spanned(const std::vector<Vec3>& points) {
+  const std::size_t n = points.size();
+  std::size_t b = 1;
+  while (b < n && points[b] == points[0]) ++b;
+  if (b == n) return 0;
+  std::size_t c = b + 1;
+  const auto normal = [&](std::size_t at) {
+    return cross(convert<Exact>(points[b]) - convert<Exact>(points[0]),
+                 convert<Exact>(points[at]) - convert<Exact>(points[0]));
+  };
+  while (c < n && normal(c) == ExactVec{}) ++c;
+  if (c >= n) return 1;
+  const PlaneDefinition plane = plane_of(Triangle{points[0], points[b], points[c]});
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Vec3& p) { return exact_side(plane, p) != 0; })
+             ? 3
+             : 2;
+}
+
 // ---- convexity
 
 // A loop of a few corners round the triangle's circle, with one corner on the straight line of its
@@ -84,13 +104,15 @@ std::vector<Outcome> judge_loop(const Instance& instance, std::span<const Format
   Loop loop(instance.points.size());
   std::iota(loop.begin(), loop.end(), 0u);
   const auto flat = FlatLoop::make(instance.points, loop);
-  if (!flat) return alike({}, formats);
+  if (!flat) return alike(answer(spanned(instance.points) < 2, 0, 0), formats);
   Flat exact;
   for (const std::uint32_t v : loop) exact.push_back({Exact(flat->at(v).x), Exact(flat->at(v).y)});
   for (std::size_t i = 0; i < exact.size(); ++i)  // rounded to one place: no loop any more
     for (std::size_t k = 0; k < i; ++k)
       if (exact[i] == exact[k]) return alike({}, formats);
-  return alike(answer(is_convex(*flat, loop) == exactly_convex(exact), 0, 0), formats);
+  // However the loop is turned to be looked at.
+  const bool convex = exactly_convex(exact) || exactly_convex({exact.rbegin(), exact.rend()});
+  return alike(answer(is_convex(*flat, loop) == convex, 0, 0), formats);
 }
 
 // ---- hull
@@ -138,26 +160,6 @@ bool closed(const std::vector<HullTriangle>& triangles) {
   return std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
     return edges.contains({e.second, e.first});
   });
-}
-
-// What the points span, by looking for points off the line and the plane of others.
-int spanned(const std::vector<Vec3>& points) {
-  const std::size_t n = points.size();
-  std::size_t b = 1;
-  while (b < n && points[b] == points[0]) ++b;
-  if (b == n) return 0;
-  std::size_t c = b + 1;
-  const auto normal = [&](std::size_t at) {
-    return cross(convert<Exact>(points[b]) - convert<Exact>(points[0]),
-                 convert<Exact>(points[at]) - convert<Exact>(points[0]));
-  };
-  while (c < n && normal(c) == ExactVec{}) ++c;
-  if (c >= n) return 1;
-  const PlaneDefinition plane = plane_of(Triangle{points[0], points[b], points[c]});
-  return std::any_of(points.begin(), points.end(),
-                     [&](const Vec3& p) { return exact_side(plane, p) != 0; })
-             ? 3
-             : 2;
 }
 
 // A closed surface of triangles, all points on or behind each of them: the hull.

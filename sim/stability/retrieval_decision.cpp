@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Retrieval: a sphere may be left out only if it lies wholly outside a plane of the pyramid of
-// vision (Levine 1975, ch. II). The frame calculator computes in doubles whatever the frames'
-// format.
+// vision (Levine 1975, ch. II), and must be where it does so beyond all rounding. The frame
+// calculator computes in doubles whatever the frames' format.
 #include <array>
 #include <cmath>
 
@@ -86,6 +86,13 @@ bool kept(const Instance& instance) {
   return !active.empty() && active[0].active != 0;
 }
 
+// What a sphere may lie outside by and yet be kept: four times what retrieval allows for rounding,
+// and a rounding of the radius.
+double margin(const Sphere& sphere, const Vec3& eye) {
+  const auto sum = [](const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  return 0x1p-1058 + 0x1p-46 * (sum(sphere.centre) + sum(eye) + sphere.radius);
+}
+
 std::vector<Outcome> judge(const Instance& instance, std::span<const Format> formats) {
   bool outside = false;
   double least = HUGE_VAL;
@@ -94,20 +101,24 @@ std::vector<Outcome> judge(const Instance& instance, std::span<const Format> for
     outside |= depth.sign < 0;
     least = std::min(least, depth.size);
   }
-  const Outcome outcome = answer(outside || kept(instance), std::max(least, 0.0), 0);
+  const bool clearly = least < -margin(instance.spheres[0], instance.view.eye);
+  const bool right = kept(instance) ? !clearly : outside;
+  const Outcome outcome = answer(right, std::abs(least), 0);
   return std::vector<Outcome>(formats.size(), outcome);
 }
 
 }  // namespace
 
 Decision retrieval_decision() {
-  return {"retrieval",
-          "No sphere that reaches into every plane of the pyramid of vision is left out",
-          "environment units",
-          {Axis::kScale, Axis::kOffset, Axis::kNear, Axis::kFov, Axis::kDistance, Axis::kMixed},
-          true,
-          pose,
-          judge};
+  return {
+      "retrieval",
+      "A sphere that reaches into every plane of the pyramid of vision is kept, and one clearly "
+      "outside of a plane is left out",
+      "environment units",
+      {Axis::kScale, Axis::kOffset, Axis::kNear, Axis::kFov, Axis::kDistance, Axis::kMixed},
+      true,
+      pose,
+      judge};
 }
 
 }  // namespace cigsim::stability

@@ -88,6 +88,21 @@ TEST(Decisions, SharedOnesAreNeverWrong) {
   expect_none_wrong(p, sweep(p, {}));
 }
 
+// Lengths below the normal numbers, where products of a plane's normal and a distance underflow.
+TEST(Decisions, RetrievalKeepsSpheresOfSubnormalSize) {
+  Instance touching;
+  touching.spheres = {
+      {{2.25965340662233e-310, -9.37106740192e-312, -2.538466428355e-312}, 9.286437499201e-311}};
+  touching.view = {{1.0569913925907e-310, -7.6908078868793e-311, 3.4746109849727e-311},
+                   {{{-0.21460444010647217, 0.9395009337355882, -0.2669886323358083},
+                     {-0.9700981824292653, -0.17330323137505577, 0.16992794485428134},
+                     {-0.11337747013416459, -0.29547247842213953, -0.9485997911453781}}},
+                   41.569219381653056,
+                   {48, 48}};
+  const std::vector<Format> format = formats({"double"});
+  EXPECT_EQ(retrieval_decision().judge(touching, format)[0].verdict, Verdict::kRight);
+}
+
 // Planted: float is told to be exact.
 TEST(Decisions, AFloatNearAPlaneFlipsSides) {
   SweepPlan p = plan({side_decision()}, formats({"float"}), 20);
