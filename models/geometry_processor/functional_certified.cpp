@@ -139,13 +139,17 @@ void Functional<Certified>::classify_exactly(const FaceSet& set, std::uint32_t v
     return;
   }
   places_[i] = project(points_[i]);
-  places_[i].line = first_line(u, w);
+  places_[i].line = first_line(places_[i], u, w);
 }
 
 // The first line whose sample is not above a point within the pyramid: half_height - focal w/u -
-// 1/2, rounded up.
-int Functional<Certified>::first_line(const Dyadic& u, const Dyadic& w) const {
+// 1/2, rounded up. Where the place is known to half an element, that is one of two.
+int Functional<Certified>::first_line(const Place& place, const Dyadic& u, const Dyadic& w) const {
   const Dyadic above = Dyadic(half_height_ - 0.5) * u - Dyadic(view_->focal) * w;
+  if (place.error < 0.5) {
+    const int line = static_cast<int>(std::floor(place.y));
+    return std::clamp(line + (Dyadic(line) * u < above), 0, view_->raster.height);
+  }
   const int exponent = u.exponent_or(0), common = std::min(exponent, above.exponent_or(exponent));
   mpz_class line;
   mpz_cdiv_q(line.get_mpz_t(), above.whole(common).get_mpz_t(), u.whole(common).get_mpz_t());

@@ -44,7 +44,7 @@ class Functional<Certified> {
   CertifiedPoint viewpoint_position(const Vec3& vertex) const;
   void classify(const FaceSet& set, const Item& item, std::uint32_t i);
   void classify_exactly(const FaceSet& set, std::uint32_t vertex, std::uint32_t i);
-  int first_line(const Dyadic& u, const Dyadic& w) const;
+  int first_line(const Place& place, const Dyadic& u, const Dyadic& w) const;
   Place project(const CertifiedPoint& p) const;
   bool find_line(Place& place) const;
 
