@@ -40,7 +40,7 @@ class ShortView {
   int rotation_bits_ = 0;
   Vec3 eye_;
   int eye_exponent_ = 0;
-  // Twice the focal length.
+  // The focal length is focal_ times 2^focal_exponent_.
   Whole focal_ = 0;
   int focal_exponent_ = 0, focal_bits_ = 0;
   int width_ = 0, height_ = 0;

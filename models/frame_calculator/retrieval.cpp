@@ -30,7 +30,7 @@ class Pyramid {
   /// inside), or kOutside.
   unsigned remaining(const Sphere& sphere, unsigned planes) const {
     const Vec3 d = sphere.centre - eye_;
-    // The last term is for what underflows.
+    // The first term is for what underflows.
     const double slack =
         0x1p-1060 + 0x1p-48 * (std::abs(sphere.centre.x) + std::abs(sphere.centre.y) +
                                std::abs(sphere.centre.z) + std::abs(eye_.x) + std::abs(eye_.y) +
