@@ -18,7 +18,7 @@ class PlacedStage {
   virtual void trace(sc_core::sc_trace_file* file) = 0;
 };
 
-/// What a machine has for its stages; it outlives them.
+/// What a machine has for its stages. A stage may copy it: what it refers to outlives the stages.
 struct Site {
   const PipelineOptions& options;
   Clock& clock;

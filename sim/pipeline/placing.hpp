@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The one choice of a stage's level, for all stages.
 //
-// A kind of stage is a StageKind that tells
-//   kStage                                  which stage it is
-//   timed(site, name, report)               the model at each level that it has
-//   clocked(site, name, report), rtl(site, name, report)
-//   connect(wires, model, connections)      of models with pins: wires.input(name, pins,
-//   connection)
-//                                           and wires.output(name, pins, connection), for each
-// and nothing else of levels.
+// A kind of stage is a StageKind that tells, and nothing else of levels:
+// - kStage: which stage it is;
+// - timed, clocked, rtl(site, name, report): the model, at each level that the stage has;
+// - connect(wires, model, connections), of models with pins: for each of them a call of
+//   wires.input or wires.output(name, pins, connection).
 #pragma once
 
 #include <functional>

@@ -54,8 +54,8 @@ Raster raster_of(const Json& list) {
           static_cast<int>(whole(list[1], 1, kLargestRaster))};
 }
 
-MachineOptions machine_of(const Json& stats, const std::string& file) {
-  const Json& options = stats.at("options");
+// But for the description of machine words.
+MachineOptions options_of(const Json& options) {
   MachineOptions out;
   out.number = named(options.at("number"),
                      std::array{NumberType::kFloat, NumberType::kDouble, NumberType::kMachine,
@@ -75,11 +75,14 @@ MachineOptions machine_of(const Json& stats, const std::string& file) {
   if (out.number != NumberType::kMachine) {
     out.retrieval = options.at("retrieval").get<bool>();
     out.coherence = options.at("coherence").get<bool>();
-    return out;
   }
-  out.description = parse_machine(stats.at("machine").dump(2), file + ", machine");
-  if (out.description.raster.width != out.raster.width ||
-      out.description.raster.height != out.raster.height)
+  return out;
+}
+
+MachineDescription description_of(const Json& machine, const Raster& raster,
+                                  const std::string& file) {
+  MachineDescription out = parse_machine(machine.dump(2), file + ", machine");
+  if (out.raster.width != raster.width || out.raster.height != raster.height)
     refuse("the machine's raster is not the run's");
   return out;
 }
@@ -124,8 +127,12 @@ RecordedRun run_of(Json stats, const std::string& file, Place& place) {
   run.scene = stats.at("scene").get<std::string>();
   if (run.scene != kBuiltInScene) run.scene_file = run.scene;
   place = Place("/options");
-  run.machine = machine_of(stats, file);
+  run.machine = options_of(stats.at("options"));
   run.preparation = preparation_of(stats.at("options"));
+  if (run.machine.number == NumberType::kMachine) {
+    place = Place("/machine");
+    run.machine.description = description_of(stats.at("machine"), run.machine.raster, file);
+  }
   place = Place("/frames");
   Json& frames = stats.at("frames");
   if (!frames.is_array()) refuse("the list of frames is missing");
