@@ -7,10 +7,8 @@
 #include <limits>
 #include <memory>
 
-#include "models/environment/input_error.hpp"
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
-#include "sim/drawing/plot.hpp"
 
 namespace cigsim {
 
@@ -23,28 +21,6 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
           },
           "The same options and seed give the same figures, but for times and memory. Default: 1")
       ->type_name("S");
-}
-
-void make_out_folder(const std::string& folder) {
-  if (!can_plot())
-    throw UsageError(
-        "--out: graphs cannot be drawn without gnuplot; install Debian's package gnuplot-nox, or "
-        "take --json");
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-    throw UsageError(fmt::format("--out: {} cannot be made a folder; name another", folder));
-}
-
-void remove_earlier(const std::filesystem::path& folder, const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    const std::filesystem::path file = folder / name;
-    std::error_code error;
-    if (std::filesystem::is_directory(file, error)) continue;
-    std::filesystem::remove(file, error);
-    if (error)
-      throw InputError(file.string(), 0, "of an earlier run cannot be removed: " + error.message());
-  }
 }
 
 void add_experiment(CLI::App& program, int& exit_code) {

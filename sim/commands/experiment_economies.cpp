@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "models/environment/generate.hpp"
-#include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
 #include "sim/commands/experiment.hpp"
+#include "sim/commands/experiment_folder.hpp"
 #include "sim/experiments/economies_json.hpp"
 #include "sim/measure/child.hpp"
 #include "sim/progress.hpp"
@@ -130,12 +130,7 @@ int run(const Options& options) {
   for (const Subject& subject : subjects) reports.push_back(measure(subject, options, economies));
   const nlohmann::ordered_json json = economies_json(reports, economies);
   std::vector<std::filesystem::path> files;
-  if (options.out) {
-    remove_earlier(*options.out, {"economies.json", "economies.svg"});
-    files.push_back(write_economies_plots(reports, *options.out));
-    files.push_back(std::filesystem::path(*options.out) / "economies.json");
-    write_file(files.back(), dump(json) + "\n");
-  }
+  if (options.out) files = write_experiment(json, {economies_sheet(reports)}, *options.out);
   if (options.json) {
     fmt::print("{}\n", dump(json));
   } else {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
 #include "sim/commands/experiment.hpp"
+#include "sim/commands/experiment_folder.hpp"
 #include "sim/experiments/growth_json.hpp"
 #include "sim/progress.hpp"
 #include "sim/stats.hpp"
@@ -64,12 +64,7 @@ int run(const Options& options) {
   }
   const nlohmann::ordered_json json = growth_json(results);
   std::vector<std::filesystem::path> files;
-  if (options.out) {
-    remove_earlier(*options.out, {"growth.json", "growth.svg"});
-    files.push_back(write_growth_plots(results, *options.out));
-    files.push_back(std::filesystem::path(*options.out) / "growth.json");
-    write_file(files.back(), dump(json) + "\n");
-  }
+  if (options.out) files = write_experiment(json, {growth_sheet(results)}, *options.out);
   if (options.json) {
     fmt::print("{}\n", dump(json));
   } else {

@@ -7,10 +7,9 @@
 #include <memory>
 
 #include "models/environment/read.hpp"
-#include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
 #include "sim/commands/experiment.hpp"
-#include "sim/drawing/gnuplot.hpp"
+#include "sim/commands/experiment_folder.hpp"
 #include "sim/embedded.hpp"
 #include "sim/experiments/levine_json.hpp"
 #include "sim/experiments/levine_plots.hpp"
@@ -108,11 +107,7 @@ int run(const Options& options) {
   const LevineResults results = measure(options);
   const nlohmann::ordered_json json = levine_json(results);
   std::vector<std::filesystem::path> files;
-  if (options.out) {
-    files = write_levine_plots(results, *options.out);
-    files.push_back(std::filesystem::path(*options.out) / "levine.json");
-    write_file(files.back(), dump(json) + "\n");
-  }
+  if (options.out) files = write_experiment(json, levine_sheets(results), *options.out);
   if (options.json) {
     fmt::print("{}\n", dump(json));
     return 0;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <memory>
 
@@ -13,6 +12,7 @@
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
 #include "sim/commands/experiment.hpp"
+#include "sim/commands/experiment_folder.hpp"
 #include "sim/measure/host.hpp"
 #include "sim/progress.hpp"
 #include "sim/scene.hpp"
@@ -40,18 +40,20 @@ struct Options {
 struct Part {
   std::string_view name;
   stability::PartResult (*measure)(const stability::PartOptions&);  ///< null: the decisions
+  stability::WhyNot (*why_not)(const Format&, bool search);         ///< null: of all formats
 };
 
 constexpr std::string_view kDecisions = "decisions", kEnvelope = "envelope";
-constexpr const char* kFigures = "stability.json";
+constexpr const char* kEnvelopeTable = "envelope.json";  // as the program carries it
 
 // In the order in which they are told.
 const std::vector<Part>& all_parts() {
-  static const std::vector<Part> parts{{kDecisions, nullptr},
-                                       {kEnvelope, stability::envelope_part},
-                                       {"flicker", stability::flicker_part},
-                                       {"accumulation", stability::accumulation_part},
-                                       {"published", stability::published_part}};
+  using namespace stability;
+  static const std::vector<Part> parts{{kDecisions, nullptr, nullptr},
+                                       {kEnvelope, envelope_part, why_no_envelope},
+                                       {"flicker", flicker_part, why_no_flicker},
+                                       {"accumulation", accumulation_part, why_no_accumulation},
+                                       {"published", published_part, why_no_published}};
   return parts;
 }
 
@@ -59,8 +61,7 @@ const std::vector<Part>& all_parts() {
 struct Found {
   Json json;
   std::string text;
-  /// Each draws into a folder and returns the files.
-  std::vector<std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>> draw;
+  std::vector<Sheet> sheets;
 };
 
 // Those of `all` that were named, in the order of `all`; all when none was.
@@ -79,8 +80,8 @@ std::vector<T> chosen(std::string_view what, const std::vector<T>& all,
   return out;
 }
 
+// Those asked for, each once.
 std::vector<Format> formats_of(const Options& options) {
-  if (options.formats.empty()) return stability::usual_formats();
   std::vector<Format> formats;
   for (const std::string& name : options.formats) {
     const Format format = stability::format_named(name);
@@ -97,6 +98,7 @@ stability::SweepPlan plan_of(const Options& options) {
   plan.axes = chosen("--axis", std::vector<Axis>(stability::kAxes.begin(), stability::kAxes.end()),
                      options.axes, [](Axis axis) { return stability::name_of(axis); });
   plan.formats = formats_of(options);
+  if (plan.formats.empty()) plan.formats = stability::usual_formats();
   plan.seed = options.seed;
   plan.trials = static_cast<std::uint32_t>(options.trials);
   return plan;
@@ -118,6 +120,32 @@ stability::Material material_of(const Options& options, std::string& name) {
   return material;
 }
 
+// Why it tells nothing of any of the formats that were asked for; none: it does.
+stability::WhyNot why_nothing(const Part& part, const Options& options) {
+  stability::WhyNot why;
+  if (part.why_not == nullptr) return why;
+  for (const Format& format : formats_of(options)) {
+    const stability::WhyNot reason = part.why_not(format, options.search_envelope);
+    if (!reason) return {};
+    why = fmt::format("{} tells nothing of {}: {}", part.name, format.name, *reason);
+  }
+  return why;
+}
+
+// Without the parts that tell nothing of the formats; one that was named is refused.
+std::vector<Part> parts_with_formats(std::vector<Part> parts, const Options& options) {
+  const auto is_named = [&](const Part& part) {
+    return (part.name == kEnvelope && options.search_envelope) ||
+           std::find(options.parts.begin(), options.parts.end(), part.name) != options.parts.end();
+  };
+  std::erase_if(parts, [&](const Part& part) {
+    const stability::WhyNot why = why_nothing(part, options);
+    if (why && is_named(part)) throw UsageError("--format: " + *why);
+    return why.has_value();
+  });
+  return parts;
+}
+
 // All of them, or with a scene, a decision or an axis the decisions alone, which only these choose.
 std::vector<Part> parts_of(const Options& options) {
   const bool chosen_decisions =
@@ -136,7 +164,7 @@ std::vector<Part> parts_of(const Options& options) {
         "decisions");
   if (options.search_envelope && !has(kEnvelope))
     throw UsageError("--envelope: is not among the parts that were asked for; add --part envelope");
-  return parts;
+  return parts_with_formats(std::move(parts), options);
 }
 
 // A decision that is driven along none of the axes would be told as never wrong.
@@ -156,12 +184,10 @@ void check_axes(const stability::SweepPlan& plan) {
 
 void find_decisions(const stability::SweepPlan& plan, const stability::Material& material,
                     Found& found) {
-  stability::Sweep sweep = stability::sweep(plan, material);
+  const stability::Sweep sweep = stability::sweep(plan, material);
   found.json.update(stability::sweep_json(plan, sweep));
   found.text += stability::sweep_text(plan, sweep);
-  found.draw.push_back([plan, sweep = std::move(sweep)](const std::filesystem::path& folder) {
-    return stability::write_sweep_maps(plan, sweep, folder);
-  });
+  for (Sheet& map : stability::sweep_maps(plan, sweep)) found.sheets.push_back(std::move(map));
 }
 
 void find_part(const Part& part, const stability::PartOptions& options, Found& found) {
@@ -169,26 +195,18 @@ void find_part(const Part& part, const stability::PartOptions& options, Found& f
   found.json[result.name] = std::move(result.json);
   if (!found.text.empty()) found.text += "\n";
   found.text += result.text;
-  found.draw.push_back(std::move(result.draw));
+  found.sheets.push_back(std::move(result.sheet));
 }
 
-// All that a run of this command writes, of whatever parts.
-std::vector<std::string> names_of_files() {
-  std::vector<std::string> names = stability::sweep_map_names();
-  names.insert(names.begin(), std::string(kFigures));
-  for (const Part& part : all_parts())
-    if (part.measure != nullptr) names.push_back(fmt::format("{}.svg", part.name));
-  names.emplace_back(stability::kEnvelopeTable);
-  return names;
-}
-
-std::vector<std::filesystem::path> write(const Found& found, const std::filesystem::path& folder) {
-  remove_earlier(folder, names_of_files());
+std::vector<std::filesystem::path> write(const Found& found, const Options& options) {
+  const std::filesystem::path folder = *options.out;
   std::vector<std::filesystem::path> files;
-  for (const auto& draw : found.draw)
-    for (std::filesystem::path& file : draw(folder)) files.push_back(std::move(file));
-  files.push_back(folder / kFigures);
-  write_file(files.back(), dump(found.json) + "\n");
+  if (options.search_envelope) {
+    files.push_back(folder / kEnvelopeTable);
+    write_file(files[0], found.json.at(kEnvelope).dump(1) + "\n");
+  }
+  for (std::filesystem::path& file : write_experiment(found.json, found.sheets, folder))
+    files.push_back(std::move(file));
   return files;
 }
 
@@ -212,11 +230,11 @@ int run(const Options& options) {
       plan.progress = show;
       find_decisions(plan, material, found);
     } else {
-      find_part(part, {options.seed, plan.formats, options.search_envelope, show}, found);
+      find_part(part, {options.seed, formats_of(options), options.search_envelope, show}, found);
     }
   }
   std::vector<std::filesystem::path> files;
-  if (options.out) files = write(found, *options.out);
+  if (options.out) files = write(found, options);
   if (options.json) {
     fmt::print("{}\n", dump(found.json));
     return 0;
@@ -250,11 +268,13 @@ void add_choices(CLI::App& command, Options& options) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
-      .add_option("--format", options.formats,
-                  "Only this format (may be given several times): float, double, certified, exact, "
-                  "machine, a machine's preset or file, or words of these widths: machine:C,D,Q,R "
-                  "for coordinate bits and the fraction bits of directions, quotients and raster "
-                  "places. Default: the first five, and nasa1968")
+      .add_option(
+          "--format", options.formats,
+          "Only this format (may be given several times): float, double, certified, exact, "
+          "machine, a machine's preset or file, or words of these widths: machine:C,D,Q,R "
+          "for coordinate bits and the fraction bits of directions, quotients and raster "
+          "places. Default: the first five, and nasa1968. Parts that tell nothing of any of "
+          "these are left out")
       ->type_name("NAME")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -298,7 +318,7 @@ void add_stability(CLI::App& program, int& exit_code) {
       ->add_option(
           "--out", options->out,
           "Write stability.json, heat maps and plots into this folder, in place of those of an "
-          "earlier run")
+          "earlier run; with --envelope also its table, envelope.json")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "Print everything as JSON");
   command->callback([options, &exit_code] { exit_code = run(*options); });

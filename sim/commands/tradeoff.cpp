@@ -8,10 +8,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
-#include "sim/commands/experiment.hpp"
+#include "sim/commands/experiment_folder.hpp"
 #include "sim/machine_options.hpp"
 #include "sim/progress.hpp"
 #include "sim/scene.hpp"
@@ -22,7 +21,6 @@ namespace cigsim {
 namespace {
 
 constexpr std::uint64_t kMostRounds = 1000;
-constexpr const char* kFigures = "tradeoff.json";
 constexpr std::size_t kPathFrames = 5;          // of a path, unless --frames tells
 constexpr double kMostReferences = 4294967296;  // bytes that the right pictures may take
 constexpr double kReferenceBytes = 10;          // an element: colour, number, distance
@@ -52,11 +50,20 @@ std::vector<Level> parse_levels(const std::string& text) {
   return levels;
 }
 
+MachineOptions words_of_every_tradeoff(const MachineChoices& words,
+                                       const std::optional<Raster>& raster) {
+  try {
+    return machine_options(words, raster);
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}; machine words take part in every trade-off", error.what()));
+  }
+}
+
 SweepRange range_of(const Options& options, const Database& database,
                     const std::vector<FrameView>& views) {
   MachineChoices words = options.machine;
   words.number = NumberType::kMachine;
-  const MachineOptions machine = machine_options(words, options.view.raster);
+  const MachineOptions machine = words_of_every_tradeoff(words, options.view.raster);
   SweepRange range;
   range.raster = machine.raster;
   range.description = machine.description;
@@ -100,17 +107,11 @@ int tradeoff_command(const Options& options) {
   if (!path.empty() && !view.frames) view.frames = std::min(path.size(), kPathFrames);
   const LoadedScene scene = load_scene(options.scene, options.preparation);
   const Tradeoff result = measure(options, scene, frame_views(view, path, scene.database));
-  const std::string json = dump(tradeoff_json(result)) + "\n";
+  const nlohmann::ordered_json json = tradeoff_json(result);
   std::vector<std::filesystem::path> files;
-  if (options.out) {
-    const std::filesystem::path folder = *options.out;
-    remove_earlier(folder, {kFigures, kTradeoffPlots});
-    files.push_back(write_tradeoff_plots(result, folder));
-    files.push_back(folder / kFigures);
-    write_file(files.back(), json);
-  }
+  if (options.out) files = write_experiment(json, {tradeoff_sheet(result)}, *options.out);
   if (options.json) {
-    fmt::print("{}", json);
+    fmt::print("{}\n", dump(json));
     return 0;
   }
   fmt::print("{}", tradeoff_table(result));
@@ -164,6 +165,15 @@ void add_tradeoff(CLI::App& program, int& exit_code) {
   add_scene_option(*command, options->scene);
   add_measure_options(*command, *options);
   add_view_options(*command, options->view);
+  command->get_option("--frames")
+      ->description(fmt::format("How many frames. With a path they are spread evenly along it; "
+                                "without one the eye stays and "
+                                "moving models move. Default: {} of the path, or 1",
+                                kPathFrames));
+  command->get_option("--raster")
+      ->description(
+          "Elements a line and lines, each 1 to 4096: machine words always take part. Default: "
+          "1024x1024, or the machine's own");
   add_preparation_options(*command, options->preparation);
   add_description_options(*command, options->machine);
   command->callback([options, &exit_code] { exit_code = tradeoff_command(*options); });

@@ -18,6 +18,11 @@ std::string gnuplot_quoted(std::string_view words);
 /// the given size in pixels, as SVG on gnuplot's standard output; "unset multiplot" ends it.
 std::string gnuplot_sheet(std::size_t count, int columns, int width, int height);
 
+/// One drawing of a folder: the name of its file, and the commands that draw it.
+struct Sheet {
+  std::string name, script;
+};
+
 /// Draws `script` into `file`, whole or not at all. Throws InputError, naming the package, when
 /// gnuplot is missing, and when it or the file system fails.
 void draw_by_gnuplot(const std::string& script, const std::filesystem::path& file);

@@ -108,9 +108,4 @@ std::string heat_map_script(const std::vector<HeatMap>& maps, int columns) {
          "unset multiplot\n";
 }
 
-void write_heat_maps(const std::vector<HeatMap>& maps, int columns,
-                     const std::filesystem::path& file) {
-  draw_by_gnuplot(heat_map_script(maps, columns), file);
-}
-
 }  // namespace cigsim

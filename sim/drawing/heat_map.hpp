@@ -2,7 +2,6 @@
 // Heat maps as SVG, drawn by gnuplot: a table of shares as coloured cells.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,9 +21,5 @@ struct HeatMap {
 /// standard output. Each cell shows its value where there are at most 400 of them. Throws
 /// std::invalid_argument when a map's values are not rows times columns.
 std::string heat_map_script(const std::vector<HeatMap>& maps, int columns);
-
-/// Draws them into `file`, as write_plots() does.
-void write_heat_maps(const std::vector<HeatMap>& maps, int columns,
-                     const std::filesystem::path& file);
 
 }  // namespace cigsim

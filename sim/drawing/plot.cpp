@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/drawing/gnuplot.hpp"
 #include "sim/drawing/plot_frame.hpp"
 
 namespace cigsim {
@@ -273,11 +274,6 @@ std::string plot_script(const std::vector<Plot>& plots, int columns, PlotSize si
   }
   return blocks + gnuplot_sheet(plots.size(), columns, size.width, size.height) + commands +
          "unset multiplot\n";
-}
-
-void write_plots(const std::vector<Plot>& plots, int columns, const std::filesystem::path& file,
-                 PlotSize size) {
-  draw_by_gnuplot(plot_script(plots, columns, size), file);
 }
 
 }  // namespace cigsim

@@ -2,12 +2,10 @@
 // Plots of figures as SVG, drawn by gnuplot (Debian's package gnuplot-nox).
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "models/numeric/orientation2.hpp"
-#include "sim/drawing/gnuplot.hpp"
 
 namespace cigsim {
 
@@ -51,9 +49,5 @@ struct PlotSize {
 /// size, as SVG on its standard output. Points that are not finite, and on a logarithmic axis those
 /// that are not positive, are left out; a plot without any says so.
 std::string plot_script(const std::vector<Plot>& plots, int columns, PlotSize size = {});
-
-/// Draws them into `file`, as draw_by_gnuplot() does.
-void write_plots(const std::vector<Plot>& plots, int columns, const std::filesystem::path& file,
-                 PlotSize size = {});
 
 }  // namespace cigsim

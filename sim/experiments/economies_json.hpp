@@ -2,12 +2,12 @@
 // The economies experiment as JSON, as a table, and as a plot.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "sim/drawing/gnuplot.hpp"
 #include "sim/experiments/economies.hpp"
 #include "sim/experiments/rtl_size.hpp"
 
@@ -30,9 +30,7 @@ nlohmann::ordered_json economies_json(const std::vector<EconomyReport>& reports,
 /// Lines for the terminal.
 std::string economies_text(const EconomyReport& report);
 
-/// The shares of the time that are saved, a scene a plot: economies.svg in `folder`, which exists.
-/// Throws InputError as write_plots().
-std::filesystem::path write_economies_plots(const std::vector<EconomyReport>& reports,
-                                            const std::filesystem::path& folder);
+/// The shares of the time that are saved, a scene a plot: economies.svg.
+Sheet economies_sheet(const std::vector<EconomyReport>& reports);
 
 }  // namespace cigsim

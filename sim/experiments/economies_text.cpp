@@ -89,8 +89,7 @@ std::string economies_text(const EconomyReport& report) {
   return out;
 }
 
-std::filesystem::path write_economies_plots(const std::vector<EconomyReport>& reports,
-                                            const std::filesystem::path& folder) {
+Sheet economies_sheet(const std::vector<EconomyReport>& reports) {
   std::vector<Plot> plots;
   for (const EconomyReport& report : reports) {
     Plot plot;
@@ -107,9 +106,7 @@ std::filesystem::path write_economies_plots(const std::vector<EconomyReport>& re
     plot.curves.push_back(std::move(curve));
     plots.push_back(std::move(plot));
   }
-  const std::filesystem::path file = folder / "economies.svg";
-  write_plots(plots, 2, file);
-  return file;
+  return {"economies.svg", plot_script(plots, 2)};
 }
 
 }  // namespace cigsim

@@ -55,8 +55,7 @@ Json growth_json(const GrowthResults& results) {
           {"curves", curves}};
 }
 
-std::filesystem::path write_growth_plots(const GrowthResults& results,
-                                         const std::filesystem::path& folder) {
+Sheet growth_sheet(const GrowthResults& results) {
   std::vector<Plot> plots;
   for (const GrowthCurve& curve : results.curves) {
     const PowerFit fit = curve.fit();
@@ -71,9 +70,7 @@ std::filesystem::path write_growth_plots(const GrowthResults& results,
     plot.curves.push_back({"", curve.medians()});
     plots.push_back(std::move(plot));
   }
-  const std::filesystem::path file = folder / "growth.svg";
-  write_plots(plots, 3, file);
-  return file;
+  return {"growth.svg", plot_script(plots, 3)};
 }
 
 }  // namespace cigsim

@@ -2,9 +2,9 @@
 // The growth experiment as JSON and as plots.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "sim/drawing/gnuplot.hpp"
 #include "sim/experiments/growth.hpp"
 
 namespace cigsim {
@@ -13,9 +13,7 @@ namespace cigsim {
 /// "_ms" or "_s".
 nlohmann::ordered_json growth_json(const GrowthResults& results);
 
-/// A sheet of all curves on logarithmic axes, growth.svg in `folder`, which exists. Throws
-/// InputError as write_plots().
-std::filesystem::path write_growth_plots(const GrowthResults& results,
-                                         const std::filesystem::path& folder);
+/// All curves on logarithmic axes: growth.svg.
+Sheet growth_sheet(const GrowthResults& results);
 
 }  // namespace cigsim

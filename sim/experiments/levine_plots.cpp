@@ -10,8 +10,6 @@
 namespace cigsim {
 namespace {
 
-using std::filesystem::path;
-
 // His groups are the first four distributions and the last four.
 template <class Curve>
 std::span<const Curve> group(const std::vector<Curve>& curves, int number) {
@@ -147,28 +145,27 @@ std::vector<Plot> frame_plots(const HiddenLineDataSet& set) {
 
 }  // namespace
 
-std::vector<path> write_levine_plots(const LevineResults& results, const path& folder) {
-  std::vector<path> files;
-  const auto write = [&](const std::vector<Plot>& plots, int columns, const char* name) {
-    write_plots(plots, columns, folder / name);
-    files.push_back(folder / name);
+std::vector<Sheet> levine_sheets(const LevineResults& results) {
+  std::vector<Sheet> sheets;
+  const auto add = [&](const std::vector<Plot>& plots, int columns, const char* name) {
+    sheets.push_back({name, plot_script(plots, columns)});
   };
   if (!results.hull.empty()) {
-    write(hull_plots(group(results.hull, 1)), 2, "hull-group-1.svg");
-    write(hull_plots(group(results.hull, 2)), 2, "hull-group-2.svg");
-    write(hull_histograms(results.hull), 3, "hull-histograms.svg");
+    add(hull_plots(group(results.hull, 1)), 2, "hull-group-1.svg");
+    add(hull_plots(group(results.hull, 2)), 2, "hull-group-2.svg");
+    add(hull_histograms(results.hull), 3, "hull-histograms.svg");
   }
   if (!results.sphere.empty()) {
-    write(sphere_plots(group(results.sphere, 1)), 4, "sphere-group-1.svg");
-    write(sphere_plots(group(results.sphere, 2)), 4, "sphere-group-2.svg");
-    write(sphere_histograms(results.sphere), 2, "sphere-histograms.svg");
+    add(sphere_plots(group(results.sphere, 1)), 4, "sphere-group-1.svg");
+    add(sphere_plots(group(results.sphere, 2)), 4, "sphere-group-2.svg");
+    add(sphere_histograms(results.sphere), 2, "sphere-histograms.svg");
   }
   if (!results.hidden_line.empty()) {
-    write(hidden_line_plots(results.hidden_line), 3, "hidden-line.svg");
+    add(hidden_line_plots(results.hidden_line), 3, "hidden-line.svg");
     for (const HiddenLineDataSet& set : results.hidden_line)
-      if (!set.cubes && set.objects == 16) write(frame_plots(set), 3, "hidden-line-city.svg");
+      if (!set.cubes && set.objects == 16) add(frame_plots(set), 3, "hidden-line-city.svg");
   }
-  return files;
+  return sheets;
 }
 
 }  // namespace cigsim

@@ -67,6 +67,12 @@ std::vector<Plot> plots(const std::vector<Accumulation>& results) {
 
 }  // namespace
 
+WhyNot why_no_accumulation(const Format& format, bool) {
+  if (format.arithmetic == Arithmetic::kExact || format.arithmetic == Arithmetic::kCertified)
+    return "its crossings are exact on every line";
+  return {};
+}
+
 PartResult accumulation_part(const PartOptions& options) {
   std::vector<Accumulation> results;
   int trials = 0;
@@ -74,9 +80,9 @@ PartResult accumulation_part(const PartOptions& options) {
     AccumulationOptions accumulation;
     accumulation.seed = options.seed;
     accumulation.lines = raster;
-    for (const Format& format : options.formats)
-      if (format.arithmetic != Arithmetic::kExact && format.arithmetic != Arithmetic::kCertified)
-        accumulation.formats.push_back(format);
+    accumulation.formats = options.formats.empty() ? usual_formats() : options.formats;
+    std::erase_if(accumulation.formats,
+                  [](const Format& f) { return why_no_accumulation(f, false).has_value(); });
     trials = accumulation.trials;
     for (Accumulation& result : measure_accumulation(accumulation))
       results.push_back(std::move(result));
@@ -85,11 +91,7 @@ PartResult accumulation_part(const PartOptions& options) {
   return {"accumulation",
           {{"trials", trials}, {"rows", rows(results)}},
           table(results),
-          [results](const std::filesystem::path& folder) {
-            const std::filesystem::path file = folder / "accumulation.svg";
-            write_plots(plots(results), 2, file);
-            return std::vector{file};
-          }};
+          {"accumulation.svg", plot_script(plots(results), 2)}};
 }
 
 }  // namespace cigsim::stability

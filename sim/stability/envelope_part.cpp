@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/environment/write.hpp"
 #include "sim/drawing/plot.hpp"
 #include "sim/stability/envelope_table.hpp"
 #include "sim/stability/parts.hpp"
@@ -38,37 +37,38 @@ std::string table(const std::vector<Envelope>& envelopes, bool searched) {
       predicted += fmt::format("{:>12}", formula ? fmt::format("{:.2g}", *formula) : "");
       any = any || formula;
     }
-    if (any) text += fmt::format("  {:<12}{}\n", "  by formula", predicted);
+    if (!any) continue;
+    predicted.erase(predicted.find_last_not_of(' ') + 1);
+    text += fmt::format("  {:<12}{}\n", "  by formula", predicted);
   }
   for (const QuantityName& q : quantity_names()) text += fmt::format("  {}: {}\n", q.name, q.what);
   text += "  in brackets: the furthest that was looked at, and nothing was wrong\n";
   return text;
 }
 
-// A plot a quantity: a bar a format, its limit in powers of two; where there is none, how far was
+// A plot a quantity: a row a format, its limit in powers of two; where there is none, how far was
 // looked.
 std::vector<Plot> plots(const std::vector<Envelope>& envelopes) {
   std::vector<Plot> out;
   for (const QuantityName& q : quantity_names()) {
     Plot plot;
     plot.title = q.name;
-    plot.x_label = "format";
-    plot.y_label = q.least ? "least, 2^-y" : "most, 2^y";
+    plot.x_label = q.least ? "least, 2^-x" : "most, 2^x";
     Curve limits{"limit", {}, CurveStyle::kMarks},
         open{"none found so far", {}, CurveStyle::kMarks};
     Curve formulas{"formula", {}, CurveStyle::kMarks};
-    double x = 1;
     for (const Envelope& e : envelopes) {
       const EnvelopeLimit& limit = e.limit(q.quantity);
       const auto put = [&](Curve& curve, double value) {
         const double power = std::log2(value);
-        if (value > 0) curve.points.push_back({x, q.least ? -power : power});
+        const auto row = static_cast<double>(plot.rows.size());
+        if (value > 0 && std::isfinite(value))
+          curve.points.push_back({q.least ? -power : power, row});
       };
       if (limit.failure && limit.value) put(limits, *limit.value);
       if (limit.searched && !limit.failure) put(open, limit.reached);
       if (limit.predicted) put(formulas, *limit.predicted);
-      plot.notes.push_back(fmt::format("{}: {}", x, e.format.name));
-      ++x;
+      plot.rows.push_back(e.format.name);
     }
     plot.curves = {std::move(limits), std::move(open), std::move(formulas)};
     out.push_back(std::move(plot));
@@ -80,39 +80,47 @@ std::vector<Plot> plots(const std::vector<Envelope>& envelopes) {
 std::vector<Format> formats_for(const std::vector<Format>& asked) {
   std::vector<Format> formats = searched_formats();
   for (const Format& format : asked)
-    if (format.arithmetic != Arithmetic::kExact &&
+    if (!why_no_envelope(format, true) &&
         std::none_of(formats.begin(), formats.end(),
                      [&](const Format& f) { return same_numbers(f, format); }))
       formats.push_back(format);
   return formats;
 }
 
+std::vector<Envelope> searched(const PartOptions& options) {
+  EnvelopeOptions search;
+  search.seed = options.seed;
+  search.formats = formats_for(options.formats);
+  search.progress = options.progress;
+  return search_envelope(search);
+}
+
+// Of those asked for.
+std::vector<Envelope> carried(const std::vector<Format>& asked) {
+  std::vector<Envelope> envelopes = stored_envelopes();
+  if (asked.empty()) return envelopes;
+  std::erase_if(envelopes, [&](const Envelope& e) {
+    return std::none_of(asked.begin(), asked.end(),
+                        [&](const Format& f) { return same_numbers(f, e.format); });
+  });
+  return envelopes;
+}
+
 }  // namespace
 
+WhyNot why_no_envelope(const Format& format, bool search) {
+  if (format.arithmetic == Arithmetic::kExact) return "it has no limits";
+  if (search || !carried({format}).empty()) return {};
+  return "the program carries none; add --envelope to search it";
+}
+
 PartResult envelope_part(const PartOptions& options) {
-  std::vector<Envelope> envelopes;
-  std::uint64_t seed = options.seed;
-  if (options.search) {
-    EnvelopeOptions search;
-    search.seed = options.seed;
-    search.formats = formats_for(options.formats);
-    search.progress = options.progress;
-    envelopes = search_envelope(search);
-  } else {
-    envelopes = stored_envelopes();
-    seed = kStoredSeed;
-  }
-  const nlohmann::ordered_json json = envelope_json(envelopes, seed);
-  return {"envelope", json, table(envelopes, options.search),
-          [envelopes, json, searched = options.search](const std::filesystem::path& folder) {
-            std::vector<std::filesystem::path> files{folder / "envelope.svg"};
-            write_plots(plots(envelopes), 3, files[0]);
-            if (searched) {
-              files.push_back(folder / kEnvelopeTable);
-              write_file(files[1], json.dump(1) + "\n");
-            }
-            return files;
-          }};
+  const std::vector<Envelope> envelopes =
+      options.search ? searched(options) : carried(options.formats);
+  return {"envelope",
+          envelope_json(envelopes, options.search ? options.seed : kStoredSeed),
+          table(envelopes, options.search),
+          {"envelope.svg", plot_script(plots(envelopes), 3)}};
 }
 
 }  // namespace cigsim::stability

@@ -70,20 +70,18 @@ HeatMap map(const std::vector<Flicker>& results) {
 
 }  // namespace
 
+WhyNot why_no_flicker(const Format&, bool) { return {}; }
+
 PartResult flicker_part(const PartOptions& options) {
   FlickerOptions flicker;
   flicker.seed = options.seed;
-  flicker.formats = options.formats;
+  flicker.formats = options.formats.empty() ? usual_formats() : options.formats;
   flicker.progress = options.progress;
   const std::vector<Flicker> results = measure_flicker(flicker);
   return {"flicker",
           {{"paths", flicker.paths}, {"frames", flicker.frames}, {"rows", rows(results)}},
           table(results),
-          [results](const std::filesystem::path& folder) {
-            const std::filesystem::path file = folder / "flicker.svg";
-            write_heat_maps({map(results)}, 1, file);
-            return std::vector{file};
-          }};
+          {"flicker.svg", heat_map_script({map(results)}, 1)}};
 }
 
 }  // namespace cigsim::stability

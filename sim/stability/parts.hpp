@@ -4,37 +4,39 @@
 // Each as JSON, as a table, and as plots.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/drawing/gnuplot.hpp"
 #include "sim/stability/decision.hpp"
 
 namespace cigsim::stability {
 
 struct PartOptions {
   std::uint64_t seed = 1;
-  /// Published thresholds have formats of their own.
-  std::vector<Format> formats;
-  /// Of the envelope: search it, in a minute or two; else the one that the program carries is told,
-  /// of whatever formats.
+  std::vector<Format> formats;  ///< those asked for; none: the part's own
+  /// Of the envelope: search it, in some minutes, for its own formats and those asked for; else the
+  /// one that the program carries is told.
   bool search = false;
   std::function<void(double)> progress;  ///< is told the share that is done
 };
 
-inline constexpr const char* kEnvelopeTable = "envelope.json";
-
 struct PartResult {
-  std::string name;             ///< of the key in JSON and of the plots' file
+  std::string name;             ///< of the key in JSON
   nlohmann::ordered_json json;  ///< docs/schemas/stability.schema.json has the keys
   std::string text;             ///< a table, its last line ended
-  /// Draws NAME.svg into a folder, and of a searched envelope writes kEnvelopeTable, the table that
-  /// the program carries. Returns the files. Throws as write_plots(), write_heat_maps() and
-  /// write_file() do.
-  std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> draw;
+  Sheet sheet;                  ///< NAME.svg
 };
+
+/// Why a part tells nothing of a format; none: it does.
+using WhyNot = std::optional<std::string>;
+WhyNot why_no_envelope(const Format& format, bool search);
+WhyNot why_no_flicker(const Format& format, bool search);
+WhyNot why_no_accumulation(const Format& format, bool search);
+WhyNot why_no_published(const Format& format, bool search);
 
 PartResult envelope_part(const PartOptions& options);
 PartResult flicker_part(const PartOptions& options);

@@ -82,6 +82,8 @@ std::vector<Plot> plots(const std::vector<ThresholdPoint>& points) {
 
 }  // namespace
 
+WhyNot why_no_published(const Format&, bool) { return "it has formats of its own"; }
+
 PartResult published_part(const PartOptions& options) {
   ThresholdOptions thresholds;
   thresholds.seed = options.seed;
@@ -90,11 +92,7 @@ PartResult published_part(const PartOptions& options) {
   return {"published",
           {{"decks", thresholds.decks}, {"objects", thresholds.objects}, {"rows", rows(points)}},
           table(points),
-          [points](const std::filesystem::path& folder) {
-            const std::filesystem::path file = folder / "published.svg";
-            write_plots(plots(points), 2, file);
-            return std::vector{file};
-          }};
+          {"published.svg", plot_script(plots(points), 2)}};
 }
 
 }  // namespace cigsim::stability

@@ -2,11 +2,11 @@
 // What a sweep found: as JSON, as a short table, as heat maps.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "sim/drawing/gnuplot.hpp"
 #include "sim/stability/sweep.hpp"
 
 namespace cigsim::stability {
@@ -18,12 +18,8 @@ nlohmann::ordered_json sweep_json(const SweepPlan& plan, const Sweep& sweep);
 /// A line a decision: where each format is wrong most often; then the claims that did not hold.
 std::string sweep_text(const SweepPlan& plan, const Sweep& sweep);
 
-/// stability.svg (decisions by formats, the worst share of each) and a file an axis,
-/// stability-AXIS.svg (decisions by values, a map a format), into `folder`. Returns the files.
-/// Throws as write_heat_maps() does.
-std::vector<std::filesystem::path> write_sweep_maps(const SweepPlan& plan, const Sweep& sweep,
-                                                    const std::filesystem::path& folder);
-/// All names of files that this writes, of whatever plan.
-std::vector<std::string> sweep_map_names();
+/// stability.svg (decisions by formats, the worst share of each) and of each axis
+/// stability-AXIS.svg (decisions by values, a map a format).
+std::vector<Sheet> sweep_maps(const SweepPlan& plan, const Sweep& sweep);
 
 }  // namespace cigsim::stability

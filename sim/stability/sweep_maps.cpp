@@ -10,10 +10,6 @@
 namespace cigsim::stability {
 namespace {
 
-constexpr const char* kOverview = "stability.svg";
-
-std::string map_name(Axis axis) { return fmt::format("stability-{}.svg", name_of(axis)); }
-
 // One value has no map.
 bool has_map(Axis axis) { return values_of(axis).size() > 1; }
 
@@ -61,10 +57,8 @@ HeatMap overview(const SweepPlan& plan, const Sweep& sweep) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> write_sweep_maps(const SweepPlan& plan, const Sweep& sweep,
-                                                    const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files{folder / kOverview};
-  write_heat_maps({overview(plan, sweep)}, 1, files.back());
+std::vector<Sheet> sweep_maps(const SweepPlan& plan, const Sweep& sweep) {
+  std::vector<Sheet> sheets{{"stability.svg", heat_map_script({overview(plan, sweep)}, 1)}};
   for (const Axis axis : plan.axes) {
     const bool any = std::any_of(plan.decisions.begin(), plan.decisions.end(),
                                  [&](const Decision& decision) { return has(decision, axis); });
@@ -72,17 +66,9 @@ std::vector<std::filesystem::path> write_sweep_maps(const SweepPlan& plan, const
     std::vector<HeatMap> maps;
     for (std::size_t f = 0; f < plan.formats.size(); ++f)
       maps.push_back(map_of(plan, sweep, f, axis));
-    files.push_back(folder / map_name(axis));
-    write_heat_maps(maps, 2, files.back());
+    sheets.push_back({fmt::format("stability-{}.svg", name_of(axis)), heat_map_script(maps, 2)});
   }
-  return files;
-}
-
-std::vector<std::string> sweep_map_names() {
-  std::vector<std::string> names{kOverview};
-  for (const Axis axis : kAxes)
-    if (has_map(axis)) names.push_back(map_name(axis));
-  return names;
+  return sheets;
 }
 
 }  // namespace cigsim::stability

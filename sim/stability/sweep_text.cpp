@@ -20,9 +20,9 @@ std::string short_number(double value) {
   return text;
 }
 
-// "47% near 10": the worst value; a point where nothing was wrong, nothing where nothing was posed.
+// "47% near 10": the worst value; a point where nothing was wrong, a dash where nothing was posed.
 std::string words(const Summary& s) {
-  if (s.posed == 0) return "";
+  if (s.posed == 0) return "-";
   const char* broken = s.broken > 0 ? " !" : "";
   if (s.worst == nullptr) return fmt::format(".{}", broken);
   if (s.worst->axis == Axis::kMixed)
@@ -51,8 +51,9 @@ std::string claim_line(const SweepPlan& plan, const Sweep& sweep, std::size_t d,
 
 std::string sweep_text(const SweepPlan& plan, const Sweep& sweep) {
   std::string out = fmt::format(
-      "Wrong answers at the worst value of an axis; . none; {} instances a value, seed {}\n{:<16}",
-      plan.trials, plan.seed, "decision");
+      "Wrong answers at the worst value of an axis; . none; - not decided; {} instance{} a value, "
+      "seed {}\n{:<16}",
+      plan.trials, plan.trials == 1 ? "" : "s", plan.seed, "decision");
   for (const Format& format : plan.formats) out += fmt::format("{:<{}} ", format.name, kColumn - 1);
   while (out.back() == ' ') out.pop_back();
   std::string claims;

@@ -90,7 +90,7 @@ Tradeoff run_tradeoff(const Database& database, const std::vector<FrameView>& vi
   tradeoff.options = options.measure;
   tradeoff.range = range;
   settle_levels(database, tradeoff);
-  if (numbers_saturate(database)) tradeoff.left_out.emplace_back(kNumbersSaturate);
+  if (numbers_saturate(database)) tradeoff.notes.emplace_back(kNumbersSaturate);
   const std::vector<ReferencePicture> references =
       reference_pictures(database, views, range.raster, options.references);
   const Workload work{&database, views, &references};

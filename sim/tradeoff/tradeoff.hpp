@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/drawing/gnuplot.hpp"
 #include "sim/measure/measure.hpp"
 #include "sim/tradeoff/sweep.hpp"
 
@@ -27,6 +28,7 @@ struct Tradeoff {
   SweepRange range;
   std::optional<Level> referee;       ///< whose cycles count: RTL or clocked
   std::vector<std::string> left_out;  ///< what could not take part, and why
+  std::vector<std::string> notes;     ///< what errors do not show
   std::vector<TradeoffPoint> points;  ///< as sweep()
 };
 
@@ -51,10 +53,8 @@ nlohmann::ordered_json tradeoff_json(const Tradeoff& tradeoff);
 /// The table on the terminal.
 std::string tradeoff_table(const Tradeoff& tradeoff);
 
-inline constexpr const char* kTradeoffPlots = "tradeoff.svg";
-
-/// Writes that file into the folder, as write_plots(). Returns its path.
-std::filesystem::path write_tradeoff_plots(const Tradeoff& tradeoff,
-                                           const std::filesystem::path& folder);
+/// tradeoff.svg: time against wrong elements, with the Pareto front, and against colour; errors
+/// against the widths of words; time and memory of numbers and levels.
+Sheet tradeoff_sheet(const Tradeoff& tradeoff);
 
 }  // namespace cigsim

@@ -61,6 +61,7 @@ Json tradeoff_json(const Tradeoff& t) {
           {"reference", {{"number", name_of(exact_number())}, {"detail", "most"}}},
           {"referee", t.referee ? Json(name_of(*t.referee)) : Json()},
           {"left_out", t.left_out},
+          {"notes", t.notes},
           {"points", std::move(points)}};
 }
 

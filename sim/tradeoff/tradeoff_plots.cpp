@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string_view>
 
 #include "sim/drawing/plot.hpp"
@@ -36,7 +37,9 @@ std::string kind_of(const TradeoffPoint& point) {
   if (point.knob == "default") return "number";
   for (const char* method : {"priority", "resolver", "retrieval", "coherence"})
     if (point.knob == method) return "method";
-  return point.knob;
+  for (const Kind& kind : kKinds)
+    if (point.knob == kind.name) return point.knob;
+  throw std::logic_error("no marks for the knob " + point.knob);
 }
 
 Curve marks_of(const Kind& kind) {
@@ -145,7 +148,7 @@ Plot rows_plot(const Tradeoff& t) {
 
 }  // namespace
 
-std::filesystem::path write_tradeoff_plots(const Tradeoff& t, const std::filesystem::path& folder) {
+Sheet tradeoff_sheet(const Tradeoff& t) {
   std::vector<Plot> plots;
   plots.push_back(cost_plot(t, "Time against wrong elements", "wrong elements, %", drawn_share));
   plots.back().curves.push_back(front_of(t));
@@ -155,9 +158,7 @@ std::filesystem::path write_tradeoff_plots(const Tradeoff& t, const std::filesys
   plots.back().notes = {"marks without a difference are left out"};
   plots.push_back(words_plot(t));
   plots.push_back(rows_plot(t));
-  const std::filesystem::path file = folder / kTradeoffPlots;
-  write_plots(plots, 2, file, kSize);
-  return file;
+  return {"tradeoff.svg", plot_script(plots, 2, kSize)};
 }
 
 }  // namespace cigsim

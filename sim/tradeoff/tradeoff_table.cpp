@@ -102,6 +102,7 @@ std::string tradeoff_table(const Tradeoff& t) {
       "edge, in elements; colour: mean difference; cycles: worst delay of a frame\n";
   table += overload_notes(t);
   for (const std::string& line : t.left_out) table += fmt::format("Left out  {}\n", line);
+  for (const std::string& line : t.notes) table += fmt::format("Note      {}\n", line);
   return table;
 }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "models/environment/input_error.hpp"
+#include "sim/drawing/gnuplot.hpp"
 #include "sim/drawing/heat_map.hpp"
 #include "sim/drawing/plot.hpp"
 #include "sim/drawing/svg.hpp"
@@ -65,7 +66,7 @@ TEST_F(PlotFile, DrawsEveryCurveOfEveryPlot) {
                     .y_label = "",
                     .curves = {{"marks", {{-1, 2}, {0, 3}}, CurveStyle::kMarks}}};
   const fs::path file = scratch_.path("two.svg");
-  write_plots({powers, linear}, 2, file);
+  draw_by_gnuplot(plot_script({powers, linear}, 2), file);
   const std::string svg = test::bytes_of(file);
   for (const char* words : {"It's a 'power' law", "n^2", "y = x^2", "squares", "bars", "second"})
     EXPECT_TRUE(svg.find(words) != std::string::npos ||
@@ -83,7 +84,7 @@ TEST_F(PlotFile, LeavesOutWhatAnAxisCannotShow) {
                      .log_y = true,
                      .curves = {{"a", {{1, 0}, {2, -1}, {nan, 1}}}, {"b", {}}}};
   const fs::path file = scratch_.path("none.svg");
-  write_plots({nothing}, 1, file);
+  draw_by_gnuplot(plot_script({nothing}, 1), file);
   EXPECT_NE(test::bytes_of(file).find("nothing to draw"), std::string::npos);
 }
 
@@ -95,7 +96,7 @@ TEST_F(PlotFile, MarksAFrontAndNamesItsPoints) {
                               .style = CurveStyle::kFront,
                               .names = {"a \"quoted\" name", "second", "cannot be drawn"}}}};
   const fs::path file = scratch_.path("front.svg");
-  write_plots({plot}, 1, file, {.width = 800, .height = 500});
+  draw_by_gnuplot(plot_script({plot}, 1, {.width = 800, .height = 500}), file);
   const std::string svg = test::bytes_of(file);
   for (const char* words : {"a \"quoted\" name", "second", "Pareto front"})
     EXPECT_TRUE(svg.find(words) != std::string::npos ||
@@ -116,7 +117,7 @@ TEST_F(PlotFile, RowsHaveNamesAndCurvesTheirColours) {
                               .colour = "#123456",
                               .mark = Mark::kDiamond}}};
   const fs::path file = scratch_.path("rows.svg");
-  write_plots({plot}, 1, file);
+  draw_by_gnuplot(plot_script({plot}, 1), file);
   const std::string svg = test::bytes_of(file);
   for (const char* words : {"functional", "rtl", "0.5 ms", "400 ms", "levels"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;
@@ -144,7 +145,7 @@ TEST_F(PlotFile, AHeatMapHasACellAValue) {
                     .values = {0.25, 0, 1, nan, 0.5, 0.125},
                     .notes = {"seed 1"}};
   const fs::path file = scratch_.path("map.svg");
-  write_heat_maps({map, HeatMap{.title = "empty"}}, 2, file);
+  draw_by_gnuplot(heat_map_script({map, HeatMap{.title = "empty"}}, 2), file);
   const std::string svg = test::bytes_of(file);
   for (const char* words : {"1e-12", "1e12", "side", "clip", "0.25", "0.125", "seed 1",
                             "wrong decisions", "nothing to draw"})
@@ -156,7 +157,7 @@ TEST_F(PlotFile, AHeatMapHasACellAValue) {
 
 TEST_F(PlotFile, MissingFolderLeavesNothing) {
   const Plot plot{.title = "t", .x_label = "", .y_label = "", .curves = {{"a", {{1, 1}, {2, 2}}}}};
-  EXPECT_THROW(write_plots({plot}, 1, scratch_.path("missing/a.svg")), InputError);
+  EXPECT_THROW(draw_by_gnuplot(plot_script({plot}, 1), scratch_.path("missing/a.svg")), InputError);
   EXPECT_EQ(scratch_.files(), 0u);
 }
 
@@ -165,7 +166,7 @@ TEST_F(PlotFile, WithoutGnuplotThePackageIsNamed) {
   ::setenv("PATH", scratch_.folder().c_str(), 1);
   EXPECT_FALSE(can_plot());
   try {
-    write_plots({}, 1, scratch_.path("a.svg"));
+    draw_by_gnuplot(plot_script({}, 1), scratch_.path("a.svg"));
     ADD_FAILURE() << "drawn";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("gnuplot-nox"), std::string::npos);

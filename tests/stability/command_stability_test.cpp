@@ -70,8 +70,8 @@ TEST_F(StabilityCommand, FiguresAreTheSameForASeed) {
 }
 
 TEST_F(StabilityCommand, FurtherPartsCanBeAskedForAlone) {
-  const Outcome outcome = cigsim({"stability", "--part", "accumulation", "--part", "published",
-                                  "--format", "float", "--out", "parts"});
+  const Outcome outcome =
+      cigsim({"stability", "--part", "accumulation", "--part", "published", "--out", "parts"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(files(), (std::vector<std::string>{"parts", "parts/accumulation.svg",
                                                "parts/published.svg", "parts/stability.json"}));
@@ -80,17 +80,14 @@ TEST_F(StabilityCommand, FurtherPartsCanBeAskedForAlone) {
   EXPECT_GT(found["accumulation"]["rows"].size(), 0u);
 }
 
-// Planted: files of a run of many parts, of another part and of a search. A folder tells of one run
-// alone, and what is not the command's stays.
+// Planted: files with names that the command could write and the earlier run did not.
 TEST_F(StabilityCommand, AFolderNeverMixesTwoRuns) {
-  const Outcome many =
-      cigsim({"stability", "--trials", "1", "--format", "float", "--part", "decisions", "--part",
-              "envelope", "--part", "accumulation", "--part", "published", "--out", "found"});
+  const Outcome many = cigsim({"stability", "--trials", "1", "--part", "decisions", "--part",
+                               "envelope", "--part", "published", "--out", "found"});
   ASSERT_EQ(many.exit_code, 0) << many.err;
   EXPECT_GT(files().size(), 10u);
-  put("found/flicker.svg", "<svg/>");
-  put("found/envelope.json", "{}");
-  put("found/mine.svg", "<svg/>");
+  for (const char* of_the_user : {"found/flicker.svg", "found/envelope.json", "found/mine.svg"})
+    put(of_the_user, "{}");
   put("found/tradeoff.json", "{}");
   const std::vector<std::string> before = files();
   expect_unusable({"stability", "--decision", "colour", "--out", "found"}, "choose from");
@@ -98,10 +95,27 @@ TEST_F(StabilityCommand, AFolderNeverMixesTwoRuns) {
   const Outcome one = cigsim({"stability", "--decision", "side", "--axis", "near", "--format",
                               "float", "--trials", "1", "--out", "found"});
   ASSERT_EQ(one.exit_code, 0) << one.err;
-  EXPECT_EQ(files(), (std::vector<std::string>{"found", "found/mine.svg",
-                                               "found/stability-near.svg", "found/stability.json",
-                                               "found/stability.svg", "found/tradeoff.json"}));
+  EXPECT_EQ(files(), (std::vector<std::string>{"found", "found/envelope.json", "found/flicker.svg",
+                                               "found/mine.svg", "found/stability-near.svg",
+                                               "found/stability.json", "found/stability.svg",
+                                               "found/tradeoff.json"}));
   EXPECT_FALSE(Json::parse(contents("found/stability.json")).contains("flicker"));
+}
+
+TEST_F(StabilityCommand, TellsOfTheFormatsThatWereAskedForAlone) {
+  const Json found = json({"--format", "float", "--trials", "1"});
+  EXPECT_FALSE(found.contains("published"));
+  ASSERT_EQ(found["envelope"]["formats"].size(), 1u);
+  EXPECT_EQ(found["envelope"]["formats"][0]["format"], "float");
+  for (const char* part : {"accumulation", "flicker"}) {
+    EXPECT_GT(found[part]["rows"].size(), 0u);
+    for (const Json& row : found[part]["rows"]) EXPECT_EQ(row["format"], "float");
+  }
+  for (const char* format : {"exact", "machine:24,22,16,12"})
+    EXPECT_FALSE(json({"--format", format, "--trials", "1"}).contains("envelope")) << format;
+  const Outcome hither =
+      cigsim({"stability", "--decision", "hither", "--format", "double", "--trials", "1"});
+  EXPECT_NE(hither.out.find("hither          -\n"), std::string::npos) << hither.out;
 }
 
 TEST_F(StabilityCommand, AsksASceneAboutItsOwnThings) {
@@ -123,6 +137,12 @@ TEST_F(StabilityCommand, RefusesWhatItCannotUse) {
   expect_unusable({"stability", "--decision", "side", "--axis", "fov"}, "side is not driven along");
   expect_unusable({"stability", "--decision", "side", "--part", "flicker"}, "choose decisions");
   expect_unusable({"stability", "--envelope", "--part", "flicker"}, "add --part envelope");
+  expect_unusable({"stability", "--part", "envelope", "--format", "machine:24,22,16,12"},
+                  "add --envelope to search");
+  expect_unusable({"stability", "--envelope", "--format", "exact"}, "no limits");
+  expect_unusable({"stability", "--part", "accumulation", "--format", "certified"},
+                  "exact on every line");
+  expect_unusable({"stability", "--part", "published", "--format", "float"}, "formats of its own");
   expect_unusable({"stability", "--format", "machine:24,22,15,12"}, "even");
   expect_unusable({"stability", "--format", "machine:99,22,16,12"}, "--format");
   expect_unusable({"stability", "--trials", "0"}, "--trials");

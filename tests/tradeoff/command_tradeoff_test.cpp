@@ -138,21 +138,24 @@ TEST_F(CommandTest, TradeoffPrintsATableAndWritesItsFiles) {
 }
 
 // A drawing of an earlier run does not stay beside figures, or without them.
-TEST_F(CommandTest, TradeoffThatCannotDrawLeavesNothingOfAnEarlierOne) {
-  std::filesystem::create_directory(folder_ / "out");
-  for (const char* old : {"out/tradeoff.json", "out/tradeoff.svg", "out/notes.json"})
-    put(old, "{}");
+TEST_F(CommandTest, TradeoffThatCannotDrawKeepsItsFiguresAlone) {
+  std::vector<std::string> words{"tradeoff", "--raster", "40x30", "--levels", "functional",
+                                 "--rounds", "1",        "--out", "out"};
+  const Outcome earlier = cigsim(words);
+  ASSERT_EQ(earlier.exit_code, 0) << earlier.err;
+  ASSERT_TRUE(std::filesystem::exists(folder_ / "out/tradeoff.svg"));
+  put("out/notes.json", "{}");
   std::filesystem::create_directory(folder_ / "bin");
   put("bin/gnuplot", "#!/bin/sh\nexit 1\n");
   std::filesystem::permissions(folder_ / "bin/gnuplot", std::filesystem::perms::owner_all);
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", ((folder_ / "bin").string() + ":" + path).c_str(), 1);
-  const Outcome outcome = cigsim(
-      {"tradeoff", "--raster", "40x30", "--levels", "functional", "--rounds", "1", "--out", "out"});
+  words.insert(words.end(), {"--seed", "7"});
+  const Outcome outcome = cigsim(words);
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("was not drawn"), std::string::npos) << outcome.err;
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/tradeoff.json"));
+  EXPECT_EQ(Json::parse(contents("out/tradeoff.json"))["seed"], 7);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/tradeoff.svg"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/notes.json"));
 }
@@ -169,7 +172,8 @@ TEST_F(CommandTest, TradeoffRefusesWhatItCannotMeasure) {
   expect_unusable({"tradeoff", "--levels", ""}, "--levels: ''");
   expect_unusable({"tradeoff", "--rounds", "0"}, "--rounds");
   expect_unusable({"tradeoff", "--limit", "0"}, "--limit");
-  expect_unusable({"tradeoff", "--raster", "5000x5000"}, "out of range");
+  expect_unusable({"tradeoff", "--levels", "functional", "--raster", "4097x100"},
+                  "machine words take part in every trade-off");
   expect_unusable({"tradeoff", "none.obj"}, "none.obj");
   expect_unusable({"tradeoff", "--raster", "4096x4096", "--frames", "100"}, "smaller raster");
 }
