@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include "models/environment/text_file.hpp"
 
@@ -106,6 +107,12 @@ void fail_on_choice(std::string_view what, std::string_view text,
                     const std::vector<std::string_view>& choices) {
   throw UsageError(
       fmt::format("{}: '{}' is not known; choose from {}", what, text, fmt::join(choices, ", ")));
+}
+
+void check_not_input(std::string_view what, const std::string& output, const std::string& input) {
+  std::error_code none;
+  if (std::filesystem::equivalent(input, output, none))
+    throw UsageError(fmt::format("{}: {} is an input; name another", what, output));
 }
 
 }  // namespace cigsim

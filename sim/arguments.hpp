@@ -51,6 +51,9 @@ Sun parse_sun(std::string_view what, std::string_view text);
 void check_ending(std::string_view what, const std::string& file,
                   std::initializer_list<std::string_view> endings);
 
+/// Throws when writing `output` would overwrite `input`.
+void check_not_input(std::string_view what, const std::string& output, const std::string& input);
+
 /// One of some words, each with its value.
 template <class T>
 T parse_choice(std::string_view what, std::string_view text,

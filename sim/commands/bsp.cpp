@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <memory>
 
@@ -50,12 +49,13 @@ struct Result {
 void check(const Options& options) {
   if (options.weight && options.root.rule != BspRule::kConflicts)
     throw UsageError("--weight belongs to --rule 2");
-  if (options.tree) check_ending("--tree", *options.tree, {"svg"});
-  if (options.output) check_ending("-o", *options.output, {"json"});
-  for (const auto& file : {options.tree, options.output}) {
-    std::error_code none;
-    if (file && std::filesystem::equivalent(options.scene, *file, none))
-      throw UsageError(fmt::format("{} is the scene; name another file to write", *file));
+  if (options.tree) {
+    check_ending("--tree", *options.tree, {"svg"});
+    check_not_input("--tree", *options.tree, options.scene);
+  }
+  if (options.output) {
+    check_ending("-o", *options.output, {"json"});
+    check_not_input("-o", *options.output, options.scene);
   }
   if (is_database(options.scene))
     throw UsageError(fmt::format("{} is prepared; give the scene it was made from", options.scene));

@@ -26,7 +26,7 @@ constexpr std::uint64_t kRows = 20000, kQuickRows = 512;
 struct Options {
   EconomyOptions economies;
   std::vector<std::string> scenes;
-  std::optional<std::size_t> frames;
+  std::optional<std::size_t> frames, rounds;
   std::optional<Raster> raster;
   bool rtl = false, quick = false, json = false;
   std::optional<std::string> out;
@@ -95,6 +95,7 @@ EconomyOptions economy_options(const Options& options) {
     economies.raster = {64, 64};
   }
   if (options.frames) economies.frames = *options.frames;
+  if (options.rounds) economies.rounds = *options.rounds;
   if (options.raster) economies.raster = *options.raster;
   return economies;
 }
@@ -123,20 +124,18 @@ void print(const std::vector<EconomyReport>& reports) {
 }
 
 int run(const Options& options) {
-  if (options.out) make_out_folder(*options.out);
   const EconomyOptions economies = economy_options(options);
   const std::deque<Subject> subjects = subjects_of(options);
+  std::optional<ExperimentFolder> folder;
+  if (options.out) folder.emplace(*options.out, "economies");
   std::vector<EconomyReport> reports;
   for (const Subject& subject : subjects) reports.push_back(measure(subject, options, economies));
   const nlohmann::ordered_json json = economies_json(reports, economies);
-  std::vector<std::filesystem::path> files;
-  if (options.out) files = write_experiment(json, {economies_sheet(reports)}, *options.out);
-  if (options.json) {
+  if (options.json)
     fmt::print("{}\n", dump(json));
-  } else {
+  else
     print(reports);
-    for (const std::filesystem::path& file : files) fmt::print("{} written\n", file.string());
-  }
+  if (folder) tell_written(folder->write(json, {economies_sheet(reports)}), options.json);
   return std::all_of(reports.begin(), reports.end(),
                      [](const EconomyReport& r) { return r.holds(); })
              ? 0
@@ -166,7 +165,7 @@ void add_work_options(CLI::App& command, Options& o) {
       .add_option_function<std::string>(
           "--rounds",
           [&o](const std::string& text) {
-            o.economies.rounds = static_cast<std::size_t>(parse_whole("--rounds", text, 1, 1000));
+            o.rounds = static_cast<std::size_t>(parse_whole("--rounds", text, 1, 1000));
           },
           "Trials of each side, in random order. Default: 5")
       ->type_name("N");

@@ -11,16 +11,26 @@
 
 namespace cigsim {
 
-/// Makes the folder. Throws UsageError where that is impossible, nothing can be written into it, or
-/// gnuplot is missing, which draws.
-void make_out_folder(const std::string& folder);
+class ExperimentFolder {
+ public:
+  /// Before the experiment measures: makes the folder for what has `experiment` under "experiment".
+  /// Throws UsageError where that is impossible, nothing can be written into it, NAME.json stands
+  /// there and is not of an earlier run (perhaps it is the scene), or gnuplot is missing.
+  ExperimentFolder(std::filesystem::path folder, const std::string& experiment);
 
-/// Writes NAME.json, where NAME is what `figures` have under "experiment", with the names of the
-/// sheets under "plots"; then draws these. In between it removes the plots that the NAME.json of an
-/// earlier run lists, so that none stands beside figures that are not its own; nothing else in the
-/// folder is touched. Figures stay when drawing fails. Returns the files. Throws InputError.
-std::vector<std::filesystem::path> write_experiment(nlohmann::ordered_json figures,
-                                                    const std::vector<Sheet>& sheets,
-                                                    const std::filesystem::path& folder);
+  /// Writes NAME.json with the names of the sheets under "plots", and draws these. The plots that
+  /// an earlier run lists are removed, so that none stands beside figures that are not its own;
+  /// nothing else in the folder is touched. When a plot cannot be removed or drawn, the figures and
+  /// all other plots are written all the same. Returns the files. Throws InputError.
+  std::vector<std::filesystem::path> write(nlohmann::ordered_json figures,
+                                           const std::vector<Sheet>& sheets) const;
+
+ private:
+  std::filesystem::path folder_, figures_;
+  std::vector<std::string> earlier_;  ///< plots
+};
+
+/// A line a file on the terminal; none where the output is JSON.
+void tell_written(const std::vector<std::filesystem::path>& files, bool json);
 
 }  // namespace cigsim

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "models/environment/read.hpp"
 #include "sim/arguments.hpp"
@@ -102,23 +102,25 @@ void print_findings(const LevineResults& results) {
                f.agrees() ? "agrees" : "differs");
 }
 
-int run(const Options& options) {
-  if (options.out) make_out_folder(*options.out);
-  const LevineResults results = measure(options);
-  const nlohmann::ordered_json json = levine_json(results);
-  std::vector<std::filesystem::path> files;
-  if (options.out) files = write_experiment(json, levine_sheets(results), *options.out);
-  if (options.json) {
-    fmt::print("{}\n", dump(json));
-    return 0;
-  }
-  fmt::print("Levine 1975, {} cases a data set, seed {}\n", options.experiment.cases,
-             options.experiment.seed);
+void print(const LevineResults& results) {
+  fmt::print("Levine 1975, {} cases a data set, seed {}\n", results.options.cases,
+             results.options.seed);
   if (!results.hull.empty()) print_hull(results.hull);
   if (!results.sphere.empty()) print_sphere(results.sphere);
   if (!results.hidden_line.empty()) print_hidden_line(results.hidden_line);
   print_findings(results);
-  for (const std::filesystem::path& file : files) fmt::print("{} written\n", file.string());
+}
+
+int run(const Options& options) {
+  std::optional<ExperimentFolder> folder;
+  if (options.out) folder.emplace(*options.out, "levine");
+  const LevineResults results = measure(options);
+  const nlohmann::ordered_json json = levine_json(results);
+  if (options.json)
+    fmt::print("{}\n", dump(json));
+  else
+    print(results);
+  if (folder) tell_written(folder->write(json, levine_sheets(results)), options.json);
   return 0;
 }
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "models/database/database_file.hpp"
@@ -27,9 +26,7 @@ struct Options {
 void check(const Options& options) {
   check_ending("-o", options.output, {"json", "cbor"});
   for (const std::string& input : options.inputs) {
-    std::error_code none;
-    if (std::filesystem::equivalent(input, options.output, none))
-      throw UsageError(fmt::format("-o: {} is an input; name another file", options.output));
+    check_not_input("-o", options.output, input);
     if (is_database(input))
       throw UsageError(fmt::format("{} is prepared already; give it to cigsim run", input));
   }

@@ -43,6 +43,12 @@ struct Options {
   bool json = false;
 };
 
+void check_inputs(const Options& options) {
+  const std::string figures = (std::filesystem::path(options.out) / "stats.json").string();
+  for (const auto& input : {options.scene, options.view.path, options.machine.machine})
+    if (input) check_not_input("--out", figures, *input);
+}
+
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -182,6 +188,7 @@ void check_numbers(const std::vector<FrameView>& views, RunRecord& run) {
 int run_command(const Options& options) {
   if (options.timeline && options.machine.levels.functional())
     throw UsageError("--timeline: the functional level knows no time; add --level timed");
+  check_inputs(options);
   const std::optional<WaveRequest> wave = wave_request(options.wave, options.machine.levels);
   const std::vector<PathRow> path = load_path(options.view);
   PreparationChoices preparation = options.preparation;

@@ -2,7 +2,6 @@
 // cigsim separate: Stump's separation program (1986), as published and improved.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "models/database/prepare.hpp"
@@ -85,9 +84,7 @@ int improved(const Options& options, const SeparationInput& input) {
 int separate_command(const Options& options) {
   if (!options.output.empty()) {
     check_ending("-o", options.output, {"json", "cbor"});
-    std::error_code none;
-    if (std::filesystem::equivalent(options.deck, options.output, none))
-      throw UsageError(fmt::format("-o: {} is the input; name another file", options.output));
+    check_not_input("-o", options.output, options.deck);
   }
   const SeparationInput input = read_separation_input(options.deck);
   for (const Notice& notice : input.notices)

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <limits>
 #include <memory>
+#include <optional>
 
-#include "models/environment/write.hpp"
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
 #include "sim/commands/experiment.hpp"
@@ -28,12 +26,13 @@ using stability::Axis;
 using stability::Decision;
 using stability::Format;
 
-constexpr std::uint64_t kMostTrials = 1'000'000;
+constexpr std::uint64_t kMostTrials = 1'000'000, kTrials = 20;
 
 struct Options {
   std::optional<std::string> scene, out;
   std::vector<std::string> decisions, formats, axes, parts;
-  std::uint64_t seed = 1, trials = 20;
+  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> trials;
   bool search_envelope = false, json = false;
 };
 
@@ -44,7 +43,6 @@ struct Part {
 };
 
 constexpr std::string_view kDecisions = "decisions", kEnvelope = "envelope";
-constexpr const char* kEnvelopeTable = "envelope.json";  // as the program carries it
 
 // In the order in which they are told.
 const std::vector<Part>& all_parts() {
@@ -91,16 +89,15 @@ std::vector<Format> formats_of(const Options& options) {
   return formats;
 }
 
-stability::SweepPlan plan_of(const Options& options) {
+stability::SweepPlan plan_of(const Options& options, const std::vector<Format>& asked) {
   stability::SweepPlan plan;
   plan.decisions = chosen("--decision", stability::decisions(), options.decisions,
                           [](const Decision& d) { return std::string_view(d.name); });
   plan.axes = chosen("--axis", std::vector<Axis>(stability::kAxes.begin(), stability::kAxes.end()),
                      options.axes, [](Axis axis) { return stability::name_of(axis); });
-  plan.formats = formats_of(options);
-  if (plan.formats.empty()) plan.formats = stability::usual_formats();
+  plan.formats = asked.empty() ? stability::usual_formats() : asked;
   plan.seed = options.seed;
-  plan.trials = static_cast<std::uint32_t>(options.trials);
+  plan.trials = static_cast<std::uint32_t>(options.trials.value_or(kTrials));
   return plan;
 }
 
@@ -120,32 +117,6 @@ stability::Material material_of(const Options& options, std::string& name) {
   return material;
 }
 
-// Why it tells nothing of any of the formats that were asked for; none: it does.
-stability::WhyNot why_nothing(const Part& part, const Options& options) {
-  stability::WhyNot why;
-  if (part.why_not == nullptr) return why;
-  for (const Format& format : formats_of(options)) {
-    const stability::WhyNot reason = part.why_not(format, options.search_envelope);
-    if (!reason) return {};
-    why = fmt::format("{} tells nothing of {}: {}", part.name, format.name, *reason);
-  }
-  return why;
-}
-
-// Without the parts that tell nothing of the formats; one that was named is refused.
-std::vector<Part> parts_with_formats(std::vector<Part> parts, const Options& options) {
-  const auto is_named = [&](const Part& part) {
-    return (part.name == kEnvelope && options.search_envelope) ||
-           std::find(options.parts.begin(), options.parts.end(), part.name) != options.parts.end();
-  };
-  std::erase_if(parts, [&](const Part& part) {
-    const stability::WhyNot why = why_nothing(part, options);
-    if (why && is_named(part)) throw UsageError("--format: " + *why);
-    return why.has_value();
-  });
-  return parts;
-}
-
 // All of them, or with a scene, a decision or an axis the decisions alone, which only these choose.
 std::vector<Part> parts_of(const Options& options) {
   const bool chosen_decisions =
@@ -158,13 +129,47 @@ std::vector<Part> parts_of(const Options& options) {
   const auto has = [&](std::string_view name) {
     return std::any_of(parts.begin(), parts.end(), [&](const Part& p) { return p.name == name; });
   };
+  if (options.trials && !has(kDecisions))
+    throw UsageError("--trials: is of the decisions; leave it out, or add --part decisions");
   if (chosen_decisions && !has(kDecisions))
     throw UsageError(
         "--part: SCENE, --decision and --axis choose decisions; leave them out, or add --part "
         "decisions");
   if (options.search_envelope && !has(kEnvelope))
     throw UsageError("--envelope: is not among the parts that were asked for; add --part envelope");
-  return parts_with_formats(std::move(parts), options);
+  return parts;
+}
+
+// A part that was asked for, with those of the formats asked for that it tells something of.
+struct Task {
+  Part part;
+  std::vector<Format> formats;
+};
+
+// What was asked for and cannot be told goes to `left_out`, but a part that was named and tells of
+// nothing that was asked for is refused.
+std::vector<Task> tasks_of(const Options& options, const std::vector<Format>& asked,
+                           std::vector<std::string>& left_out) {
+  const auto is_named = [&](const Part& part) {
+    return (part.name == kEnvelope && options.search_envelope) ||
+           std::find(options.parts.begin(), options.parts.end(), part.name) != options.parts.end();
+  };
+  std::vector<Task> tasks;
+  for (const Part& part : parts_of(options)) {
+    Task task{part, {}};
+    for (const Format& format : asked) {
+      const stability::WhyNot why =
+          part.why_not ? part.why_not(format, options.search_envelope) : stability::WhyNot();
+      if (why)
+        left_out.push_back(fmt::format("{} of {}: {}", part.name, format.name, *why));
+      else
+        task.formats.push_back(format);
+    }
+    const bool nothing = !asked.empty() && task.formats.empty();
+    if (nothing && is_named(part)) throw UsageError("--format: no " + left_out.back());
+    if (!nothing) tasks.push_back(std::move(task));
+  }
+  return tasks;
 }
 
 // A decision that is driven along none of the axes would be told as never wrong.
@@ -198,49 +203,48 @@ void find_part(const Part& part, const stability::PartOptions& options, Found& f
   found.sheets.push_back(std::move(result.sheet));
 }
 
-std::vector<std::filesystem::path> write(const Found& found, const Options& options) {
-  const std::filesystem::path folder = *options.out;
-  std::vector<std::filesystem::path> files;
-  if (options.search_envelope) {
-    files.push_back(folder / kEnvelopeTable);
-    write_file(files[0], found.json.at(kEnvelope).dump(1) + "\n");
+Found find(const stability::SweepPlan& plan, const std::vector<Task>& tasks,
+           const stability::Material& material, const Options& options) {
+  Found found;
+  for (const Task& task : tasks) {
+    Progress progress{std::string(task.part.name)};
+    const auto show = [&](double share) { progress.show(share); };
+    if (task.part.measure == nullptr) {
+      stability::SweepPlan told = plan;
+      told.progress = show;
+      find_decisions(told, material, found);
+    } else {
+      find_part(task.part, {options.seed, task.formats, options.search_envelope, show}, found);
+    }
   }
-  for (std::filesystem::path& file : write_experiment(found.json, found.sheets, folder))
-    files.push_back(std::move(file));
-  return files;
+  return found;
 }
 
 int run(const Options& options) {
-  stability::SweepPlan plan = plan_of(options);
-  const std::vector<Part> parts = parts_of(options);
+  const std::vector<Format> asked = formats_of(options);
+  const stability::SweepPlan plan = plan_of(options, asked);
+  std::vector<std::string> left_out;
+  const std::vector<Task> tasks = tasks_of(options, asked, left_out);
   if (!options.decisions.empty()) check_axes(plan);
   std::string scene;
   const stability::Material material = material_of(options, scene);
-  if (options.out) make_out_folder(*options.out);
-  Found found;
-  found.json = {{"experiment", "stability"},
-                {"seed", options.seed},
-                {"versions", versions_json()},
-                {"host", host_json()},
-                {"scene", options.scene ? Json(scene) : Json()}};
-  for (const Part& part : parts) {
-    Progress progress{std::string(part.name)};
-    const auto show = [&](double share) { progress.show(share); };
-    if (part.measure == nullptr) {
-      plan.progress = show;
-      find_decisions(plan, material, found);
-    } else {
-      find_part(part, {options.seed, formats_of(options), options.search_envelope, show}, found);
-    }
-  }
-  std::vector<std::filesystem::path> files;
-  if (options.out) files = write(found, options);
+  std::optional<ExperimentFolder> folder;
+  if (options.out) folder.emplace(*options.out, "stability");
+  const Found found = find(plan, tasks, material, options);
+  Json json{{"experiment", "stability"},
+            {"seed", options.seed},
+            {"versions", versions_json()},
+            {"host", host_json()},
+            {"scene", options.scene ? Json(scene) : Json()},
+            {"left_out", left_out}};
+  json.update(found.json);
   if (options.json) {
-    fmt::print("{}\n", dump(found.json));
-    return 0;
+    fmt::print("{}\n", dump(json));
+  } else {
+    fmt::print("{}", found.text);
+    for (const std::string& what : left_out) fmt::print("Left out: {}\n", what);
   }
-  fmt::print("{}", found.text);
-  for (const std::filesystem::path& file : files) fmt::print("{} written\n", file.string());
+  if (folder) tell_written(folder->write(json, found.sheets), options.json);
   return 0;
 }
 
@@ -268,13 +272,12 @@ void add_choices(CLI::App& command, Options& options) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
-      .add_option(
-          "--format", options.formats,
-          "Only this format (may be given several times): float, double, certified, exact, "
-          "machine, a machine's preset or file, or words of these widths: machine:C,D,Q,R "
-          "for coordinate bits and the fraction bits of directions, quotients and raster "
-          "places. Default: the first five, and nasa1968. Parts that tell nothing of any of "
-          "these are left out")
+      .add_option("--format", options.formats,
+                  "Only this format (may be given several times): float, double, certified, exact, "
+                  "machine, a machine's preset or file, or words of these widths: machine:C,D,Q,R "
+                  "for coordinate bits and the fraction bits of directions, quotients and raster "
+                  "places. Default: the first five, and nasa1968. What a part cannot tell of a "
+                  "format is left out, with the reason")
       ->type_name("NAME")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -318,7 +321,7 @@ void add_stability(CLI::App& program, int& exit_code) {
       ->add_option(
           "--out", options->out,
           "Write stability.json, heat maps and plots into this folder, in place of those of an "
-          "earlier run; with --envelope also its table, envelope.json")
+          "earlier run")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "Print everything as JSON");
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <filesystem>
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
@@ -55,6 +55,7 @@ MachineOptions words_of_every_tradeoff(const MachineChoices& words,
   try {
     return machine_options(words, raster);
   } catch (const UsageError& error) {
+    if (words.machine) throw;
     throw UsageError(fmt::format("{}; machine words take part in every trade-off", error.what()));
   }
 }
@@ -101,21 +102,19 @@ Tradeoff measure(const Options& options, const LoadedScene& scene,
 }
 
 int tradeoff_command(const Options& options) {
-  if (options.out) make_out_folder(*options.out);
   ViewOptions view = options.view;
   const std::vector<PathRow> path = load_path(view);
   if (!path.empty() && !view.frames) view.frames = std::min(path.size(), kPathFrames);
   const LoadedScene scene = load_scene(options.scene, options.preparation);
+  std::optional<ExperimentFolder> folder;
+  if (options.out) folder.emplace(*options.out, "tradeoff");
   const Tradeoff result = measure(options, scene, frame_views(view, path, scene.database));
   const nlohmann::ordered_json json = tradeoff_json(result);
-  std::vector<std::filesystem::path> files;
-  if (options.out) files = write_experiment(json, {tradeoff_sheet(result)}, *options.out);
-  if (options.json) {
+  if (options.json)
     fmt::print("{}\n", dump(json));
-    return 0;
-  }
-  fmt::print("{}", tradeoff_table(result));
-  for (const std::filesystem::path& file : files) fmt::print("{} written\n", file.string());
+  else
+    fmt::print("{}", tradeoff_table(result));
+  if (folder) tell_written(folder->write(json, {tradeoff_sheet(result)}), options.json);
   return 0;
 }
 

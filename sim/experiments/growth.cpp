@@ -19,10 +19,11 @@ bool GrowthCurve::as_expected() const {
   return found.points >= 2 && expected.low <= found.exponent && found.exponent <= expected.high;
 }
 
+bool GrowthCurve::holds() const { return timed || fit().points < 2 || as_expected(); }
+
 bool GrowthResults::good() const {
-  return same_pictures && std::all_of(curves.begin(), curves.end(), [](const GrowthCurve& c) {
-           return c.timed || c.as_expected();
-         });
+  return same_pictures &&
+         std::all_of(curves.begin(), curves.end(), [](const GrowthCurve& c) { return c.holds(); });
 }
 
 GrowthResults run_growth(const GrowthOptions& options) {

@@ -7,8 +7,8 @@
 
 #include "models/environment/input_error.hpp"
 #include "models/environment/text_file.hpp"
+#include "sim/json_file.hpp"
 #include "sim/report/base64.hpp"
-#include "sim/report/json_file.hpp"
 
 namespace cigsim {
 namespace {

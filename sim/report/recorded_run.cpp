@@ -6,7 +6,7 @@
 #include "models/environment/input_error.hpp"
 #include "models/environment/json_reason.hpp"
 #include "models/machine/description_json.hpp"
-#include "sim/report/json_file.hpp"
+#include "sim/json_file.hpp"
 #include "sim/stats.hpp"
 
 namespace cigsim {
@@ -79,9 +79,20 @@ MachineOptions options_of(const Json& options) {
   return out;
 }
 
-MachineDescription description_of(const Json& machine, const Raster& raster,
-                                  const std::string& file) {
-  MachineDescription out = parse_machine(machine.dump(2), file + ", machine");
+// The reason alone: its line is of no file, and what it advises is for one written by hand.
+std::string bare_reason(const InputError& error) {
+  const std::string words = error.what();
+  const std::size_t begin = words.find(": ") + 2;
+  return words.substr(begin, words.find(';', begin) - begin);
+}
+
+MachineDescription description_of(const Json& machine, const Raster& raster) {
+  MachineDescription out;
+  try {
+    out = parse_machine(machine.dump(), "machine");
+  } catch (const InputError& error) {
+    refuse(bare_reason(error));
+  }
   if (out.raster.width != raster.width || out.raster.height != raster.height)
     refuse("the machine's raster is not the run's");
   return out;
@@ -122,7 +133,7 @@ RecordedFrame frame_of(Json figures) {
 using Place = Json::json_pointer;
 
 // `place` is kept at what is being read.
-RecordedRun run_of(Json stats, const std::string& file, Place& place) {
+RecordedRun run_of(Json stats, Place& place) {
   RecordedRun run;
   run.scene = stats.at("scene").get<std::string>();
   if (run.scene != kBuiltInScene) run.scene_file = run.scene;
@@ -131,7 +142,7 @@ RecordedRun run_of(Json stats, const std::string& file, Place& place) {
   run.preparation = preparation_of(stats.at("options"));
   if (run.machine.number == NumberType::kMachine) {
     place = Place("/machine");
-    run.machine.description = description_of(stats.at("machine"), run.machine.raster, file);
+    run.machine.description = description_of(stats.at("machine"), run.machine.raster);
   }
   place = Place("/frames");
   Json& frames = stats.at("frames");
@@ -159,7 +170,7 @@ RecordedRun read_recorded_run(const std::filesystem::path& stats_file) {
   const std::string file = stats_file.string();
   Place place;
   try {
-    return run_of(json.value(), file, place);
+    return run_of(json.value(), place);
   } catch (const Json::exception& error) {
     refuse_run(json, file, place, json_reason(error.what()));
   } catch (const std::invalid_argument& error) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim/drawing/plot.hpp"
 #include "sim/stability/envelope_table.hpp"
@@ -57,52 +58,55 @@ std::vector<Plot> plots(const std::vector<Envelope>& envelopes) {
     Curve limits{"limit", {}, CurveStyle::kMarks},
         open{"none found so far", {}, CurveStyle::kMarks};
     Curve formulas{"formula", {}, CurveStyle::kMarks};
+    std::string without;
     for (const Envelope& e : envelopes) {
       const EnvelopeLimit& limit = e.limit(q.quantity);
       const auto put = [&](Curve& curve, double value) {
         const double power = std::log2(value);
-        const auto row = static_cast<double>(plot.rows.size());
-        if (value > 0 && std::isfinite(value))
-          curve.points.push_back({q.least ? -power : power, row});
+        if (std::isfinite(power))
+          curve.points.push_back({q.least ? -power : power, static_cast<double>(plot.rows.size())});
+        else
+          without += fmt::format("{}{}", without.empty() ? "" : ", ", e.format.name);
       };
       if (limit.failure && limit.value) put(limits, *limit.value);
       if (limit.searched && !limit.failure) put(open, limit.reached);
       if (limit.predicted) put(formulas, *limit.predicted);
       plot.rows.push_back(e.format.name);
     }
+    if (!without.empty())
+      plot.notes.push_back(
+          fmt::format("{}: none found, {}", without, q.least ? "down to 0" : "however large"));
     plot.curves = {std::move(limits), std::move(open), std::move(formulas)};
     out.push_back(std::move(plot));
   }
   return out;
 }
 
-// The searched ones, and others that were asked for.
-std::vector<Format> formats_for(const std::vector<Format>& asked) {
-  std::vector<Format> formats = searched_formats();
-  for (const Format& format : asked)
-    if (!why_no_envelope(format, true) &&
-        std::none_of(formats.begin(), formats.end(),
-                     [&](const Format& f) { return same_numbers(f, format); }))
-      formats.push_back(format);
-  return formats;
-}
-
 std::vector<Envelope> searched(const PartOptions& options) {
   EnvelopeOptions search;
   search.seed = options.seed;
-  search.formats = formats_for(options.formats);
+  search.formats = options.formats.empty() ? searched_formats() : options.formats;
   search.progress = options.progress;
   return search_envelope(search);
 }
 
-// Of those asked for.
+// Of the same numbers, under the format's name.
+std::optional<Envelope> carried(const Format& format) {
+  for (const Envelope& e : stored_envelopes()) {
+    if (!same_numbers(format, e.format)) continue;
+    Envelope named = e;
+    named.format.name = format.name;
+    return named;
+  }
+  return {};
+}
+
 std::vector<Envelope> carried(const std::vector<Format>& asked) {
-  std::vector<Envelope> envelopes = stored_envelopes();
-  if (asked.empty()) return envelopes;
-  std::erase_if(envelopes, [&](const Envelope& e) {
-    return std::none_of(asked.begin(), asked.end(),
-                        [&](const Format& f) { return same_numbers(f, e.format); });
-  });
+  if (asked.empty()) return stored_envelopes();
+  std::vector<Envelope> envelopes;
+  for (const Format& format : asked)
+    if (std::optional<Envelope> envelope = carried(format))
+      envelopes.push_back(std::move(*envelope));
   return envelopes;
 }
 
@@ -110,7 +114,7 @@ std::vector<Envelope> carried(const std::vector<Format>& asked) {
 
 WhyNot why_no_envelope(const Format& format, bool search) {
   if (format.arithmetic == Arithmetic::kExact) return "it has no limits";
-  if (search || !carried({format}).empty()) return {};
+  if (search || carried(format)) return {};
   return "the program carries none; add --envelope to search it";
 }
 

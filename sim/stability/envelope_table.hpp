@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Envelopes as JSON, and the ones that the program carries (envelope.json, made by `cigsim
-// stability --envelope`).
+// Envelopes as JSON, and the ones that the program carries (envelope.json: what `cigsim
+// stability --envelope --json` prints under "envelope").
 #pragma once
 
 #include <nlohmann/json.hpp>

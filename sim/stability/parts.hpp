@@ -17,9 +17,8 @@ namespace cigsim::stability {
 
 struct PartOptions {
   std::uint64_t seed = 1;
-  std::vector<Format> formats;  ///< those asked for; none: the part's own
-  /// Of the envelope: search it, in some minutes, for its own formats and those asked for; else the
-  /// one that the program carries is told.
+  std::vector<Format> formats;  ///< that it tells something of; none: the part's own
+  /// Of the envelope: search it, in some minutes; else the one that the program carries is told.
   bool search = false;
   std::function<void(double)> progress;  ///< is told the share that is done
 };

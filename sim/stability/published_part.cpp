@@ -2,8 +2,6 @@
 // Stump's thresholds as `cigsim stability` tells them.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "sim/drawing/plot.hpp"
 #include "sim/stability/parts.hpp"
 #include "sim/stability/published_thresholds.hpp"

@@ -70,7 +70,8 @@ std::string sweep_text(const SweepPlan& plan, const Sweep& sweep) {
     }
     while (out.back() == ' ') out.pop_back();
   }
-  out += claims.empty()
+  out += claimed == 0 ? "\nClaims: none is made\n"
+         : claims.empty()
              ? fmt::format("\nClaims: all {} held\n", claimed)
              : fmt::format("\nClaims that did not hold (!), of {}:\n{}", claimed, claims);
   return out;

@@ -8,6 +8,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
 try:
@@ -39,16 +40,28 @@ def without_host(value):
 
 
 class Schemas(unittest.TestCase):
-    def figures(self, name):
-        done = subprocess.run([CIGSIM] + EXPERIMENTS[name] + ["--seed", "7", "--json"],
+    def figures(self, name, *more):
+        done = subprocess.run([CIGSIM] + EXPERIMENTS[name] + ["--seed", "7", "--json", *more],
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
+    def written(self, name, schema):
+        """The figures; beside them in a folder stand the same, with the names of the drawings."""
+        with tempfile.TemporaryDirectory() as folder:
+            figures = self.figures(name, "--out", folder)
+            files = {f.name for f in pathlib.Path(folder).iterdir()}
+            written = json.loads((pathlib.Path(folder) / f"{name}.json").read_text())
+        jsonschema.validate(written, schema)
+        self.assertEqual(files, {f"{name}.json", *written["plots"]})
+        self.assertGreater(len(files), 1)
+        self.assertEqual({k: v for k, v in written.items() if k != "plots"}, figures)
+        return figures
+
     def check(self, name):
         schema = json.loads((SCHEMAS / f"{name}.schema.json").read_text())
         jsonschema.Draft7Validator.check_schema(schema)
-        figures = self.figures(name)
+        figures = self.written(name, schema)
         jsonschema.validate(figures, schema)
         self.assertEqual(figures["seed"], 7)
         self.assertEqual(without_host(figures), without_host(self.figures(name)))

@@ -126,12 +126,11 @@ TEST_F(EconomyCommand, ExperimentGrowthWritesTheSameFiguresTwice) {
   EXPECT_EQ(a["good"], true);
 }
 
-// A folder tells of one run, and of nothing else anything is touched. Figures stay where they
+// A folder tells of one run of an experiment, and other files in it stay. Figures stay where they
 // cannot be drawn.
 TEST_F(EconomyCommand, AFolderTellsOfOneExperiment) {
   for (const std::string name : {"economies", "growth"}) {
     std::filesystem::create_directories(folder_ / name);
-    put(name + "/" + name + ".json", "{}");
     put(name + "/" + name + ".svg", "old");
     put(name + "/notes.txt", "mine");
     put(name + "/" + (name == "growth" ? "economies" : "growth") + ".json", "another's");
@@ -155,10 +154,25 @@ TEST_F(EconomyCommand, AFolderTellsOfOneExperiment) {
   }
 }
 
+TEST_F(EconomyCommand, QuickRoundsAreThoseAskedFor) {
+  const Outcome outcome =
+      cigsim({"experiment", "economies", "--quick", "--frames", "1", "--rounds", "3", "--json",
+              "--scene", CIGSIM_SOURCE_DIR "/scenes/levine-cubes-4.json"});
+  EXPECT_EQ(Json::parse(outcome.out)["rounds"], 3);
+}
+
+// Curves of a size or two have no exponent that could be wrong.
+TEST_F(EconomyCommand, GrowthOfTheFewestObjectsHolds) {
+  const Outcome outcome = cigsim({"experiment", "growth", "--objects", "100", "--json"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(Json::parse(outcome.out)["good"], true);
+}
+
 TEST_F(EconomyCommand, ExperimentsRefuseWhatTheyCannotUse) {
   expect_unusable({"experiment", "economies", "--scene", "none.json"}, "none.json");
   expect_unusable({"experiment", "economies", "--rounds", "0"}, "--rounds");
   expect_unusable({"experiment", "growth", "--objects", "5"}, "--objects");
+  expect_unusable({"experiment", "growth", "--quick", "--objects", "5000"}, "--quick");
   put("file", "");
   expect_unusable({"experiment", "growth", "--quick", "--out", "file"}, "--out");
 }

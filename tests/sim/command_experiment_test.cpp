@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <sys/stat.h>
+
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -36,20 +38,38 @@ TEST_F(CommandTest, ExperimentReplacesThePlotsOfAnEarlierOneAndNothingElse) {
   for (const char* strange : {"../mine.svg", "deep/b.svg", "notes.txt", "deep", ""})
     figures["plots"].push_back(strange);
   figures["plots"].push_back(3);
+  figures["plots"].push_back(std::string("notes\0.svg", 10));
   put("levine/levine.json", figures.dump());
   run("sphere");
   for (const std::string& file : kept) EXPECT_EQ(contents(file), "of the user") << file;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "levine/hull-group-1.svg"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "levine/sphere-group-1.svg"));
+}
 
-  // Figures of anything else list nothing that could be removed.
-  for (const char* others : {R"({"plots": ["notes.svg"]})", R"(["notes.svg"])", "no JSON",
-                             R"({"experiment": "growth", "plots": ["notes.svg"]})"}) {
+TEST_F(CommandTest, ExperimentDoesNotOverwriteWhatItDidNotWrite) {
+  std::filesystem::create_directory(folder_ / "levine");
+  const std::vector<std::string> levine{"experiment", "levine", "--cases", "1",
+                                        "--only",     "hull",   "--out",   "levine"};
+  const std::string deep(1000000, '[');
+  for (const std::string& others :
+       {std::string(R"({"plots": ["notes.svg"]})"), std::string(R"(["notes.svg"])"),
+        std::string("no JSON"), std::string(R"({"experiment": "growth", "plots": []})"),
+        R"({"experiment": "levine", "plots": )" + deep}) {
     put("levine/levine.json", others);
     put("levine/notes.svg", "of the user");
-    run("sphere");
-    EXPECT_EQ(contents("levine/notes.svg"), "of the user") << others;
+    const Outcome outcome = cigsim(levine);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("levine/levine.json is not of an earlier levine"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(contents("levine/levine.json"), others);
+    EXPECT_EQ(contents("levine/notes.svg"), "of the user");
   }
+  std::filesystem::remove(folder_ / "levine/levine.json");
+  ASSERT_EQ(::mkfifo((folder_ / "levine/levine.json").c_str(), 0600), 0);
+  EXPECT_EQ(cigsim(levine).exit_code, 2);
+  std::filesystem::remove(folder_ / "levine/levine.json");
+  std::filesystem::create_directory(folder_ / "levine/levine.json");
+  EXPECT_EQ(cigsim(levine).exit_code, 2);
 }
 
 TEST_F(CommandTest, ExperimentLevineAsJson) {

@@ -133,6 +133,16 @@ TEST_F(CommandTest, AnObjectNumberAloneFillsTheViewOfItsInside) {
   EXPECT_EQ(numbers.substr(numbers.size() - 32), ones);
 }
 
+TEST_F(CommandTest, RunDoesNotOverwriteItsScene) {
+  std::filesystem::create_directory(folder_ / "out");
+  const std::string scene =
+      R"({"cigsim": 1, "objects": [{"vertices": [[0, 5, 0], [1, 5, 0], [0, 5, 1]],
+          "faces": [[0, 1, 2]]}]})";
+  put("out/stats.json", scene);
+  expect_unusable({"run", "out/stats.json", "--out", "out"}, "out/stats.json is an input");
+  EXPECT_EQ(contents("out/stats.json"), scene);
+}
+
 TEST_F(CommandTest, CtrlCLeavesWholeFilesAndFigures) {
   const pid_t child = start({"run", "--raster", "64x64", "--frames", "100000"});
   for (int i = 0; i < 3000 && !std::filesystem::exists(folder_ / "out/ids-0002.pgm"); ++i)

@@ -86,8 +86,7 @@ TEST_F(StabilityCommand, AFolderNeverMixesTwoRuns) {
                                "envelope", "--part", "published", "--out", "found"});
   ASSERT_EQ(many.exit_code, 0) << many.err;
   EXPECT_GT(files().size(), 10u);
-  for (const char* of_the_user : {"found/flicker.svg", "found/envelope.json", "found/mine.svg"})
-    put(of_the_user, "{}");
+  for (const char* of_the_user : {"found/flicker.svg", "found/mine.svg"}) put(of_the_user, "{}");
   put("found/tradeoff.json", "{}");
   const std::vector<std::string> before = files();
   expect_unusable({"stability", "--decision", "colour", "--out", "found"}, "choose from");
@@ -95,16 +94,16 @@ TEST_F(StabilityCommand, AFolderNeverMixesTwoRuns) {
   const Outcome one = cigsim({"stability", "--decision", "side", "--axis", "near", "--format",
                               "float", "--trials", "1", "--out", "found"});
   ASSERT_EQ(one.exit_code, 0) << one.err;
-  EXPECT_EQ(files(), (std::vector<std::string>{"found", "found/envelope.json", "found/flicker.svg",
-                                               "found/mine.svg", "found/stability-near.svg",
-                                               "found/stability.json", "found/stability.svg",
-                                               "found/tradeoff.json"}));
+  EXPECT_EQ(files(), (std::vector<std::string>{"found", "found/flicker.svg", "found/mine.svg",
+                                               "found/stability-near.svg", "found/stability.json",
+                                               "found/stability.svg", "found/tradeoff.json"}));
   EXPECT_FALSE(Json::parse(contents("found/stability.json")).contains("flicker"));
 }
 
 TEST_F(StabilityCommand, TellsOfTheFormatsThatWereAskedForAlone) {
   const Json found = json({"--format", "float", "--trials", "1"});
   EXPECT_FALSE(found.contains("published"));
+  EXPECT_EQ(found["left_out"], Json({"published of float: it has formats of its own"}));
   ASSERT_EQ(found["envelope"]["formats"].size(), 1u);
   EXPECT_EQ(found["envelope"]["formats"][0]["format"], "float");
   for (const char* part : {"accumulation", "flicker"}) {
@@ -113,9 +112,27 @@ TEST_F(StabilityCommand, TellsOfTheFormatsThatWereAskedForAlone) {
   }
   for (const char* format : {"exact", "machine:24,22,16,12"})
     EXPECT_FALSE(json({"--format", format, "--trials", "1"}).contains("envelope")) << format;
+  const Json named = json({"--part", "envelope", "--format", "unlimited", "--format", "float",
+                           "--format", "machine:24,22,16,12"});
+  ASSERT_EQ(named["envelope"]["formats"].size(), 2u);
+  EXPECT_EQ(named["envelope"]["formats"][0]["format"], "unlimited");
+  EXPECT_EQ(named["left_out"].size(), 1u);
   const Outcome hither =
       cigsim({"stability", "--decision", "hither", "--format", "double", "--trials", "1"});
   EXPECT_NE(hither.out.find("hither          -\n"), std::string::npos) << hither.out;
+}
+
+TEST_F(StabilityCommand, DoesNotOverwriteItsScene) {
+  std::filesystem::create_directory(folder_ / "found");
+  const std::string scene = R"({"cigsim": 1, "objects": [{"vertices": [[0, 0, 0], [1, 0, 0],
+                                [0, 1, 0], [0, 0, 1]], "faces": [[0, 2, 1], [0, 1, 3],
+                                [0, 3, 2], [1, 2, 3]]}]})";
+  put("found/stability.json", scene);
+  const Outcome outcome =
+      cigsim({"stability", "found/stability.json", "--decision", "side", "--format", "float",
+              "--axis", "near", "--trials", "1", "--out", "found"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(contents("found/stability.json"), scene);
 }
 
 TEST_F(StabilityCommand, AsksASceneAboutItsOwnThings) {
@@ -146,6 +163,7 @@ TEST_F(StabilityCommand, RefusesWhatItCannotUse) {
   expect_unusable({"stability", "--format", "machine:24,22,15,12"}, "even");
   expect_unusable({"stability", "--format", "machine:99,22,16,12"}, "--format");
   expect_unusable({"stability", "--trials", "0"}, "--trials");
+  expect_unusable({"stability", "--part", "flicker", "--trials", "5"}, "--trials");
   expect_unusable({"stability", "--seed", "-1"}, "--seed");
   expect_unusable({"stability", "missing.json"}, "missing.json");
   put("file", "");

@@ -137,7 +137,7 @@ TEST_F(CommandTest, TradeoffPrintsATableAndWritesItsFiles) {
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
 }
 
-// A drawing of an earlier run does not stay beside figures, or without them.
+// A drawing of an earlier run does not stay beside figures that are not its own.
 TEST_F(CommandTest, TradeoffThatCannotDrawKeepsItsFiguresAlone) {
   std::vector<std::string> words{"tradeoff", "--raster", "40x30", "--levels", "functional",
                                  "--rounds", "1",        "--out", "out"};
@@ -154,7 +154,10 @@ TEST_F(CommandTest, TradeoffThatCannotDrawKeepsItsFiguresAlone) {
   const Outcome outcome = cigsim(words);
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("out/tradeoff.json: has the figures"), std::string::npos)
+      << outcome.err;
   EXPECT_NE(outcome.err.find("was not drawn"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("certified"), std::string::npos) << "the table";
   EXPECT_EQ(Json::parse(contents("out/tradeoff.json"))["seed"], 7);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/tradeoff.svg"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/notes.json"));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "tests/sim/process.hpp"
 
@@ -189,6 +191,30 @@ TEST_F(ReportTest, RefusesFiguresThatAreNoRuns) {
   expect_unusable({"report", "out"}, "is no PNG of 48 x 36");
   std::filesystem::remove(folder_ / "out/frame-0000.png");
   expect_unusable({"report", "out"}, "frame-0000.png");
+}
+
+TEST_F(ReportTest, TellsTheLineOfARecordedMachineThatIsNone) {
+  run({"--machine", "nasa1968"});
+  const std::string good = contents("out/stats.json");
+  for (const auto& [pointer, value, reason] :
+       std::vector<std::tuple<std::string, Json, std::string>>{
+           {"/machine/figures/clock_ns/value", -1, "machine: clock_ns is -1"},
+           {"/options/raster", {32, 36}, "machine: the machine's raster is not"},
+           {"/machine", nullptr, "machine: "}}) {
+    change_stats(pointer, value);
+    const std::string stats = Json::parse(contents("out/stats.json")).dump(1);
+    put("out/stats.json", stats);
+    const std::string before = stats.substr(0, stats.find("\"machine\": "));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const Outcome outcome = cigsim({"report", "out"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("stats.json:" + std::to_string(line) + ": "), std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("; repeat the run"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("add it"), std::string::npos) << outcome.err;
+    put("out/stats.json", good);
+  }
 }
 
 }  // namespace

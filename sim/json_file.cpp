@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/report/json_file.hpp"
+#include "sim/json_file.hpp"
 
 #include <optional>
 #include <vector>
