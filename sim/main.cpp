@@ -31,8 +31,12 @@ int fail(std::string message) {
 }
 
 std::string name_of_given(const CLI::App& program) {
-  const auto given = program.get_subcommands();
-  return given.empty() ? "cigsim" : "cigsim " + given.front()->get_name();
+  std::string name = "cigsim";
+  for (const CLI::App* app = &program; !app->get_subcommands().empty();) {
+    app = app->get_subcommands().front();
+    name += " " + app->get_name();
+  }
+  return name;
 }
 
 // What a parse error says, in our words where the parser's do not tell the cause.

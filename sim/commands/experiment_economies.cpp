@@ -126,16 +126,16 @@ void print(const std::vector<EconomyReport>& reports) {
 int run(const Options& options) {
   const EconomyOptions economies = economy_options(options);
   const std::deque<Subject> subjects = subjects_of(options);
-  std::optional<ExperimentFolder> folder;
-  if (options.out) folder.emplace(*options.out, "economies");
+  ExperimentFolder folder(options.out, "economies");
   std::vector<EconomyReport> reports;
   for (const Subject& subject : subjects) reports.push_back(measure(subject, options, economies));
   const nlohmann::ordered_json json = economies_json(reports, economies);
+  folder.write(json, {economies_sheet(reports)});
   if (options.json)
     fmt::print("{}\n", dump(json));
   else
     print(reports);
-  if (folder) tell_written(folder->write(json, {economies_sheet(reports)}), options.json);
+  folder.tell(options.json);
   return std::all_of(reports.begin(), reports.end(),
                      [](const EconomyReport& r) { return r.holds(); })
              ? 0

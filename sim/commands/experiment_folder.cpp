@@ -59,60 +59,78 @@ bool is_plot(const Json& name) {
          path(text).extension() == ".svg";
 }
 
-// Whether it is gone. A link, or whatever else stands in its place, is none of ours.
-bool remove_plot(const path& file) {
+// A link, or whatever else stands in its place, is none of ours.
+void remove_plot(const path& file) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error))) return true;
-  return std::filesystem::remove(file, error);
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error))) return;
+  if (!std::filesystem::remove(file, error))
+    throw InputError(file.string(), 0, "of an earlier run cannot be removed: " + error.message());
 }
 
 }  // namespace
 
-ExperimentFolder::ExperimentFolder(path folder, const std::string& experiment)
-    : folder_(std::move(folder)), figures_(folder_ / (experiment + ".json")) {
+ExperimentFolder::ExperimentFolder(const std::optional<std::string>& folder,
+                                   const std::string& experiment) {
+  if (!folder) return;
+  folder_ = *folder;
+  figures_ = folder_ / (experiment + ".json");
   make_folder(folder_);
   std::error_code error;
   if (!std::filesystem::exists(std::filesystem::symlink_status(figures_, error))) return;
   const std::optional<Json> figures = figures_of(figures_, experiment);
   if (!figures)
     throw UsageError(
-        fmt::format("--out: {} is not of an earlier {} and would be overwritten; name "
-                    "another folder",
-                    figures_.string(), experiment));
+        fmt::format("--out: {} was not written by an earlier run of this experiment, and would be "
+                    "overwritten; name another folder",
+                    figures_.string()));
   const auto plots = figures->find("plots");
   if (plots == figures->end() || !plots->is_array()) return;
   for (const Json& name : *plots)
     if (is_plot(name)) earlier_.push_back(name.get<std::string>());
 }
 
-std::vector<path> ExperimentFolder::write(Json figures, const std::vector<Sheet>& sheets) const {
-  std::string fault;
-  std::vector<std::string> plots;
-  for (const Sheet& sheet : sheets) plots.push_back(sheet.name);
-  for (const std::string& plot : earlier_) {
-    if (remove_plot(folder_ / plot)) continue;
-    fault = fmt::format("{}, of an earlier run, cannot be removed", (folder_ / plot).string());
-    // It stays on the list, for the next run to remove.
-    if (std::find(plots.begin(), plots.end(), plot) == plots.end()) plots.push_back(plot);
+bool ExperimentFolder::attempt(const path& file, const std::function<void()>& work) {
+  try {
+    work();
+    return true;
+  } catch (const InputError& error) {
+    if (fault_.empty())
+      fault_ = file == figures_
+                   ? error.what()
+                   : fmt::format("{}: has the figures, but {}", figures_.string(), error.what());
+    return false;
   }
-  figures["plots"] = std::move(plots);
-  write_file(figures_, dump(figures) + "\n");
-  std::vector<path> files{figures_};
-  for (const Sheet& sheet : sheets) {
-    try {
-      draw_by_gnuplot(sheet.script, folder_ / sheet.name);
-      files.push_back(folder_ / sheet.name);
-    } catch (const InputError& error) {
-      fault = error.what();
-    }
-  }
-  if (!fault.empty()) throw InputError(figures_.string(), 0, "has the figures, but " + fault);
-  return files;
 }
 
-void tell_written(const std::vector<path>& files, bool json) {
-  if (json) return;
-  for (const path& file : files) fmt::print("{} written\n", file.string());
+bool ExperimentFolder::write_figures(Json& figures, const std::vector<std::string>& plots) {
+  figures["plots"] = plots;
+  return attempt(figures_, [&] { write_file(figures_, dump(figures) + "\n"); });
+}
+
+void ExperimentFolder::write(Json figures, const std::vector<Sheet>& sheets) {
+  if (folder_.empty()) return;
+  std::vector<std::string> plots;
+  for (const Sheet& sheet : sheets) plots.push_back(sheet.name);
+  // Earlier ones stay on the list until they are gone, so that a later run removes what is left.
+  std::vector<std::string> with_earlier = plots;
+  for (const std::string& plot : earlier_)
+    if (std::find(plots.begin(), plots.end(), plot) == plots.end()) with_earlier.push_back(plot);
+  if (!write_figures(figures, with_earlier)) return;
+  written_.push_back(figures_);
+  bool gone = true;
+  for (const std::string& plot : earlier_)
+    gone = attempt(folder_ / plot, [&] { remove_plot(folder_ / plot); }) && gone;
+  if (gone && with_earlier.size() > plots.size()) write_figures(figures, plots);
+  for (const Sheet& sheet : sheets) {
+    const path file = folder_ / sheet.name;
+    if (attempt(file, [&] { draw_by_gnuplot(sheet.script, file); })) written_.push_back(file);
+  }
+}
+
+void ExperimentFolder::tell(bool json) const {
+  if (!json)
+    for (const path& file : written_) fmt::print("{} written\n", file.string());
+  if (!fault_.empty()) throw std::runtime_error(fault_);
 }
 
 }  // namespace cigsim

@@ -56,8 +56,7 @@ void print(const GrowthResults& results) {
 }
 
 int run(const Options& options) {
-  std::optional<ExperimentFolder> folder;
-  if (options.out) folder.emplace(*options.out, "growth");
+  ExperimentFolder folder(options.out, "growth");
   GrowthResults results;
   {
     Progress progress("growth");
@@ -67,11 +66,12 @@ int run(const Options& options) {
     results.options = options.growth;
   }
   const nlohmann::ordered_json json = growth_json(results);
+  folder.write(json, {growth_sheet(results)});
   if (options.json)
     fmt::print("{}\n", dump(json));
   else
     print(results);
-  if (folder) tell_written(folder->write(json, {growth_sheet(results)}), options.json);
+  folder.tell(options.json);
   return results.good() ? 0 : 1;
 }
 
@@ -94,9 +94,9 @@ void add_experiment_growth(CLI::App& experiment, int& exit_code) {
           "--objects",
           [options](const std::string& text) {
             options->growth.most_objects =
-                static_cast<std::uint32_t>(parse_whole("--objects", text, 100, 1000000));
+                static_cast<std::uint32_t>(parse_whole("--objects", text, 1000, 1000000));
           },
-          "Most objects out of view; those in view end at a tenth. Default: 1000000")
+          "Most objects out of view, from 1000; those in view end at a tenth. Default: 1000000")
       ->type_name("N");
   command->add_flag("--quick", options->growth.quick, "Small sizes and few rounds: a quick look")
       ->excludes("--objects");

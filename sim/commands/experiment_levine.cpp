@@ -112,15 +112,15 @@ void print(const LevineResults& results) {
 }
 
 int run(const Options& options) {
-  std::optional<ExperimentFolder> folder;
-  if (options.out) folder.emplace(*options.out, "levine");
+  ExperimentFolder folder(options.out, "levine");
   const LevineResults results = measure(options);
   const nlohmann::ordered_json json = levine_json(results);
+  folder.write(json, levine_sheets(results));
   if (options.json)
     fmt::print("{}\n", dump(json));
   else
     print(results);
-  if (folder) tell_written(folder->write(json, levine_sheets(results)), options.json);
+  folder.tell(options.json);
   return 0;
 }
 

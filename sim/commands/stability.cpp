@@ -228,8 +228,7 @@ int run(const Options& options) {
   if (!options.decisions.empty()) check_axes(plan);
   std::string scene;
   const stability::Material material = material_of(options, scene);
-  std::optional<ExperimentFolder> folder;
-  if (options.out) folder.emplace(*options.out, "stability");
+  ExperimentFolder folder(options.out, "stability");
   const Found found = find(plan, tasks, material, options);
   Json json{{"experiment", "stability"},
             {"seed", options.seed},
@@ -238,13 +237,14 @@ int run(const Options& options) {
             {"scene", options.scene ? Json(scene) : Json()},
             {"left_out", left_out}};
   json.update(found.json);
+  folder.write(json, found.sheets);
   if (options.json) {
     fmt::print("{}\n", dump(json));
   } else {
     fmt::print("{}", found.text);
     for (const std::string& what : left_out) fmt::print("Left out: {}\n", what);
   }
-  if (folder) tell_written(folder->write(json, found.sheets), options.json);
+  folder.tell(options.json);
   return 0;
 }
 

@@ -106,15 +106,15 @@ int tradeoff_command(const Options& options) {
   const std::vector<PathRow> path = load_path(view);
   if (!path.empty() && !view.frames) view.frames = std::min(path.size(), kPathFrames);
   const LoadedScene scene = load_scene(options.scene, options.preparation);
-  std::optional<ExperimentFolder> folder;
-  if (options.out) folder.emplace(*options.out, "tradeoff");
+  ExperimentFolder folder(options.out, "tradeoff");
   const Tradeoff result = measure(options, scene, frame_views(view, path, scene.database));
   const nlohmann::ordered_json json = tradeoff_json(result);
+  folder.write(json, {tradeoff_sheet(result)});
   if (options.json)
     fmt::print("{}\n", dump(json));
   else
     fmt::print("{}", tradeoff_table(result));
-  if (folder) tell_written(folder->write(json, {tradeoff_sheet(result)}), options.json);
+  folder.tell(options.json);
   return 0;
 }
 

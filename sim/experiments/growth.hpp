@@ -45,7 +45,7 @@ struct GrowthCurve {
   std::vector<Vec2> medians() const;
   PowerFit fit() const { return power_fit(medians()); }  ///< through the last four
   bool as_expected() const;
-  /// It is timed, too short to have an exponent, or grows as expected.
+  /// It is timed, or grows as expected.
   bool holds() const;
 };
 

@@ -2,7 +2,6 @@
 // The envelope as `cigsim stability` tells it.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 

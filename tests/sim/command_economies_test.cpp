@@ -161,9 +161,8 @@ TEST_F(EconomyCommand, QuickRoundsAreThoseAskedFor) {
   EXPECT_EQ(Json::parse(outcome.out)["rounds"], 3);
 }
 
-// Curves of a size or two have no exponent that could be wrong.
 TEST_F(EconomyCommand, GrowthOfTheFewestObjectsHolds) {
-  const Outcome outcome = cigsim({"experiment", "growth", "--objects", "100", "--json"});
+  const Outcome outcome = cigsim({"experiment", "growth", "--objects", "1000", "--json"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(Json::parse(outcome.out)["good"], true);
 }
@@ -171,7 +170,7 @@ TEST_F(EconomyCommand, GrowthOfTheFewestObjectsHolds) {
 TEST_F(EconomyCommand, ExperimentsRefuseWhatTheyCannotUse) {
   expect_unusable({"experiment", "economies", "--scene", "none.json"}, "none.json");
   expect_unusable({"experiment", "economies", "--rounds", "0"}, "--rounds");
-  expect_unusable({"experiment", "growth", "--objects", "5"}, "--objects");
+  expect_unusable({"experiment", "growth", "--objects", "999"}, "--objects");
   expect_unusable({"experiment", "growth", "--quick", "--objects", "5000"}, "--quick");
   put("file", "");
   expect_unusable({"experiment", "growth", "--quick", "--out", "file"}, "--out");

@@ -46,6 +46,33 @@ TEST_F(CommandTest, ExperimentReplacesThePlotsOfAnEarlierOneAndNothingElse) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "levine/sphere-group-1.svg"));
 }
 
+TEST_F(CommandTest, ExperimentThatCannotWriteTellsItsFiguresAndLeavesTheEarlierOnes) {
+  std::vector<std::string> levine{"experiment", "levine", "--cases", "2",
+                                  "--only",     "hull",   "--out",   "levine"};
+  ASSERT_EQ(cigsim(levine).exit_code, 0);
+  const std::vector<std::string> before = files();
+  const std::string figures = contents("levine/levine.json");
+  levine.insert(levine.end(), {"--seed", "9"});
+  const Outcome full = cigsim(levine, {.file_size = 8000, .memory = {}});
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_NE(full.err.find("levine/levine.json"), std::string::npos) << full.err;
+  EXPECT_NE(full.out.find("Published, and ours"), std::string::npos) << full.out;
+  EXPECT_EQ(files(), before);
+  EXPECT_EQ(contents("levine/levine.json"), figures);
+
+  for (const char* plot : {"levine/hull-group-1.svg", "levine/hull-histograms.svg"}) {
+    std::filesystem::remove(folder_ / plot);
+    std::filesystem::create_directory(folder_ / plot);
+  }
+  const Outcome blocked = cigsim(levine);
+  EXPECT_EQ(blocked.exit_code, 2);
+  EXPECT_NE(blocked.err.find("levine.json: has the figures, but levine/hull-group-1.svg"),
+            std::string::npos)
+      << blocked.err;
+  EXPECT_NE(blocked.out.find("levine/hull-group-2.svg written"), std::string::npos) << blocked.out;
+  EXPECT_EQ(Json::parse(contents("levine/levine.json"))["seed"], 9);
+}
+
 TEST_F(CommandTest, ExperimentDoesNotOverwriteWhatItDidNotWrite) {
   std::filesystem::create_directory(folder_ / "levine");
   const std::vector<std::string> levine{"experiment", "levine", "--cases", "1",
@@ -59,7 +86,8 @@ TEST_F(CommandTest, ExperimentDoesNotOverwriteWhatItDidNotWrite) {
     put("levine/notes.svg", "of the user");
     const Outcome outcome = cigsim(levine);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("levine/levine.json is not of an earlier levine"), std::string::npos)
+    EXPECT_NE(outcome.err.find("levine/levine.json was not written by an earlier run"),
+              std::string::npos)
         << outcome.err;
     EXPECT_EQ(contents("levine/levine.json"), others);
     EXPECT_EQ(contents("levine/notes.svg"), "of the user");
