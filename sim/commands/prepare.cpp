@@ -10,8 +10,12 @@
 #include "models/database/database_json.hpp"
 #include "sim/arguments.hpp"
 #include "sim/commands/commands.hpp"
+#include "sim/machine_options.hpp"
 #include "sim/scene.hpp"
+#include "sim/stability/envelope_check.hpp"
+#include "sim/stability/envelope_table.hpp"
 #include "sim/stats.hpp"
+#include "sim/view.hpp"
 
 namespace cigsim {
 namespace {
@@ -32,7 +36,36 @@ void check(const Options& options) {
   }
 }
 
-void print_report(const PreparationReport& report, const std::string& output) {
+using Verdicts = std::vector<stability::EnvelopeVerdict>;
+
+// Of the formats that are known to have limits, in the scene's own view.
+Verdicts envelope_verdicts(const Database& database) {
+  const std::vector<FrameView> views = frame_views({}, {}, database);
+  MachineOptions floats;
+  floats.number = NumberType::kFloat;
+  std::vector<MachineOptions> formats{floats};
+  for (const std::string& machine : machine_presets()) {
+    MachineChoices choices;
+    choices.machine = machine;
+    formats.push_back(machine_options(choices, {}));
+  }
+  Verdicts verdicts;
+  for (const MachineOptions& format : formats)
+    verdicts.push_back(
+        stability::check_envelope(database, format, views, false, stability::stored_envelopes()));
+  return verdicts;
+}
+
+void print_envelope(const Verdicts& verdicts) {
+  for (const stability::EnvelopeVerdict& verdict : verdicts)
+    fmt::print("{:<18}{:>12}  {}\n", "envelope", verdict.format,
+               verdict.inside()
+                   ? "inside, in the scene's own view"
+                   : "outside: " + stability::excess_text(verdict.excesses.front(), ""));
+}
+
+void print_report(const PreparationReport& report, const Verdicts& verdicts,
+                  const std::string& output) {
   const auto row = [](const char* name, std::uint64_t value, const char* meaning) {
     fmt::print("{:<18}{:>12}{}{}\n", name, value, *meaning == '\0' ? "" : "  ", meaning);
   };
@@ -49,6 +82,7 @@ void print_report(const PreparationReport& report, const std::string& output) {
   row("depth", report.depth, "planes above the deepest item");
   row("pairs", report.pairs, "TRUE/FALSE pairs over all groups");
   fmt::print("{:<18}{:>12.3f}  seconds\n", "time", report.seconds);
+  print_envelope(verdicts);
   for (const Notice& notice : report.notices)
     fmt::print("{:<18}{:>12}  {}\n", "notice", notice.count, notice.what);
   fmt::print("Database in {}; look at it with: cigsim run {}\n", output, output);
@@ -61,12 +95,15 @@ int prepare_command(const Options& options) {
   const Database database =
       prepare_scene(merge(std::move(parts)), options.inputs.front(), options.preparation);
   write_database(database, options.output);
+  const Verdicts verdicts = envelope_verdicts(database);
   if (options.json) {
     nlohmann::ordered_json figures = report_to_json(database.report);
     figures["file"] = options.output;
+    for (const stability::EnvelopeVerdict& verdict : verdicts)
+      figures["envelope"].push_back(stability::envelope_verdict_json(verdict));
     fmt::print("{}\n", dump(figures));
   } else {
-    print_report(database.report, options.output);
+    print_report(database.report, verdicts, options.output);
   }
   return 0;
 }

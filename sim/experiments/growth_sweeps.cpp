@@ -63,12 +63,8 @@ double calculator_of(const FrameStats& f) { return f.stages.frame_calculator; }
 double priority_of(const FrameStats& f) { return f.stages.priority_processor; }
 double geometry_of(const FrameStats& f) { return f.stages.geometry_processor; }
 
-// A ground face comes after all objects, so its number is not that of the smaller scene.
-bool same_view(const Picture& a, const Picture& b) {
-  return a.colours == b.colours && std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(),
-                                              [](std::uint16_t m, std::uint16_t n) {
-                                                return m == n || (m > kInView && n > kInView);
-                                              });
+Picture picture_of(const GrowthSubject& subject) {
+  return FunctionalMachine(*subject.database, subject.machine).compute(subject.viewpoint, 0);
 }
 
 // The frame took `ms`, and each stage its share of that.
@@ -124,18 +120,27 @@ double database_bytes(const Database& database) {
   return sum;
 }
 
+bool same_views(const std::vector<GrowthSubject>& subjects, std::uint32_t in_view) {
+  const Picture first = picture_of(subjects.front());
+  // A ground face comes after all objects, so its number is not that of the smaller scene.
+  const auto same_number = [&](std::uint16_t m, std::uint16_t n) {
+    return m == n || (m > in_view && n > in_view);
+  };
+  return std::all_of(subjects.begin() + 1, subjects.end(), [&](const GrowthSubject& subject) {
+    const Picture other = picture_of(subject);
+    return first.colours == other.colours &&
+           std::equal(first.numbers.begin(), first.numbers.end(), other.numbers.begin(),
+                      other.numbers.end(), same_number);
+  });
+}
+
 std::vector<GrowthCurve> grow_out_of_view(const GrowthOptions& options, bool& same_pictures) {
   std::vector<GrowthSubject> subjects;
   for (const std::uint32_t size : sizes(options.quick ? 300 : options.most_objects)) {
     const CrowdedCity city = make_crowded_city(kInView, size, options.seed);
     subjects.push_back(subject(size, city.environment, city.viewpoint));
   }
-  const Picture first = FunctionalMachine(*subjects.front().database, subjects.front().machine)
-                            .compute(subjects.front().viewpoint, 0);
-  for (const GrowthSubject& s : subjects) {
-    FunctionalMachine machine(*s.database, s.machine);
-    same_pictures = same_pictures && same_view(first, machine.compute(s.viewpoint, 0));
-  }
+  same_pictures = same_views(subjects, kInView);
   measure_frames(subjects, rounds_of(options), options.seed);
   const std::string sweep = "objects, ten of them in view";
   return {

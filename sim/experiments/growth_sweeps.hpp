@@ -29,6 +29,10 @@ void measure_frames(std::vector<GrowthSubject>& subjects, std::size_t rounds, st
 std::vector<GrowthPoint> frame_points(const std::vector<GrowthSubject>& subjects,
                                       const std::function<double(const FrameStats&)>& value);
 
+/// Whether all subjects, of one or more, show the same: colours, and the numbers of the first
+/// `in_view` objects.
+bool same_views(const std::vector<GrowthSubject>& subjects, std::uint32_t in_view);
+
 /// Bytes of everything in a prepared database that grows with its scene.
 double database_bytes(const Database& database);
 

@@ -174,16 +174,19 @@ EnvelopeVerdict check_envelope(const Database& database, const MachineOptions& o
   return verdict;
 }
 
+std::string excess_text(const Excess& excess, std::string_view where) {
+  const QuantityName& quantity = named(excess.quantity);
+  return fmt::format("{} {:.3g}{}, {} {:.3g}, {:.3g} times beyond ({})", quantity.name,
+                     excess.value, where, quantity.least ? "not below" : "not above", excess.limit,
+                     excess.times(), quantity.what);
+}
+
 std::string envelope_warning(const EnvelopeVerdict& verdict) {
   if (verdict.inside()) return "";
   std::string text = fmt::format("outside the envelope of {}: ", verdict.format);
   bool first = true;
   for (const Excess& e : verdict.excesses) {
-    const QuantityName& quantity = named(e.quantity);
-    text +=
-        fmt::format("{}{} {:.3g} in frame {}, {} {:.3g}, {:.3g} times beyond ({})",
-                    first ? "" : "; ", quantity.name, e.value, e.frame,
-                    quantity.least ? "not below" : "not above", e.limit, e.times(), quantity.what);
+    text += (first ? "" : "; ") + excess_text(e, fmt::format(" in frame {}", e.frame));
     first = false;
   }
   text += "; decisions and pictures may be wrong; ";

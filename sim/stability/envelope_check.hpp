@@ -42,6 +42,10 @@ EnvelopeVerdict check_envelope(const Database& database, const MachineOptions& o
                                const std::vector<FrameView>& views, bool words_only,
                                const std::vector<Envelope>& envelopes);
 
+/// "demand 1.2e+07 in frame 3, not above 2.6e+06, 4.6 times beyond (what demand is)"; `where` is
+/// the " in frame 3".
+std::string excess_text(const Excess& excess, std::string_view where);
+
 /// One line, without its end: which limit, by how much, what will do. Empty when inside.
 std::string envelope_warning(const EnvelopeVerdict& verdict);
 

@@ -74,7 +74,7 @@ std::string sweep_text(const SweepPlan& plan, const Sweep& sweep) {
          : claims.empty()
              ? fmt::format("\nClaims: all {} held\n", claimed)
              : fmt::format("\nClaims that did not hold (!), of {}:\n{}", claimed, claims);
-  return out;
+  return out + "First failure of each axis, with its instance: --json\n";
 }
 
 }  // namespace cigsim::stability

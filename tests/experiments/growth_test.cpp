@@ -47,7 +47,22 @@ TEST(Growth, WithoutTwoPointsThereIsNoExponent) {
   EXPECT_TRUE(growth_json(results)["curves"][0]["counted"]["exponent"].is_null());
 }
 
+GrowthSubject crowd(std::uint32_t objects, std::uint64_t seed) {
+  const CrowdedCity city = make_crowded_city(10, objects, seed);
+  GrowthSubject subject;
+  subject.database = std::make_shared<Database>(prepare(city.environment));
+  subject.viewpoint = city.viewpoint;
+  return subject;
+}
+
+// Planted: another city, another eye.
 TEST(Growth, AnotherPictureIsFound) {
+  std::vector<GrowthSubject> subjects{crowd(10, 1), crowd(30, 1), crowd(100, 1)};
+  EXPECT_TRUE(same_views(subjects, 10));
+  subjects[2].viewpoint.eye.position.z += 1;
+  EXPECT_FALSE(same_views(subjects, 10));
+  subjects[2] = crowd(100, 2);
+  EXPECT_FALSE(same_views(subjects, 10));
   GrowthResults results;
   EXPECT_TRUE(results.good());
   results.same_pictures = false;

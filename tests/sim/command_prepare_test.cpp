@@ -81,5 +81,21 @@ TEST_F(CommandTest, TheSunChangesTheShades) {
   EXPECT_NE(contents("out/frame-0000.png"), low);
 }
 
+// A thing of one unit, an earth radius off the origin: no picture of it is right in floats.
+TEST_F(CommandTest, PrepareHoldsTheSceneAgainstTheEnvelope) {
+  put("near.obj", kTriangle);
+  put("far.obj", "v 6400000 0 0\nv 6400001 0 0\nv 6400000 1 0\nf 1 2 3\n");
+  for (const std::string scene : {"near", "far"}) {
+    const Outcome outcome = cigsim({"prepare", scene + ".obj", "-o", scene + ".db.json", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json envelope = Json::parse(outcome.out)["envelope"];
+    ASSERT_EQ(envelope.size(), 4u);
+    EXPECT_EQ(envelope[0]["format"], "float");
+    EXPECT_EQ(envelope[0]["inside"], scene == "near");
+  }
+  const Outcome told = cigsim({"prepare", "far.obj", "-o", "db.json"});
+  EXPECT_NE(told.out.find("float  outside: demand"), std::string::npos) << told.out;
+}
+
 }  // namespace
 }  // namespace cigsim
