@@ -128,9 +128,10 @@ void add_machine_options(CLI::App& command, MachineChoices& o) {
                                              {"machine", NumberType::kMachine},
                                              {"exact", NumberType::kExact}});
       },
-      "Numbers to compute with: fast, the ideal picture (default), doubles that are certain of "
-      "every decision or make it again exactly, the machine's own words (default with --machine, "
-      "and at the levels that know time), or rationals without rounding throughout");
+      "Numbers to compute with. float: single precision; double: right but for samples on edges "
+      "(default); certified: doubles that are certain of every decision or make it again exactly; "
+      "machine: the machine's own words (default with --machine, and at the levels that know "
+      "time); exact: rationals, without rounding throughout");
   add(
       command, "--priority", "counters|so",
       [&o](const Text& t) {

@@ -115,9 +115,8 @@ void add_prepare(CLI::App& program, int& exit_code) {
   CLI::App* command =
       program.add_subcommand("prepare", "Prepare a scene once, so that later runs start at once");
   command->footer(
-      "Reads .json, .cbor, .deck, .obj, .ac, .gltf, .glb, .ply, .stl, .off and .3ds. Several "
-      "inputs\n"
-      "become one environment; objects are numbered in the order of the inputs.\n"
+      "Reads .json, .cbor, .cards, .deck, .obj, .ac, .gltf, .glb, .ply, .stl, .off and .3ds.\n"
+      "Several inputs become one environment; objects are numbered in the order of the inputs.\n"
       "\nExamples:\n"
       "  cigsim prepare airport.obj -o airport.cbor\n"
       "  cigsim prepare town.json tower.ac --sun 225,45 -o scene.json\n"

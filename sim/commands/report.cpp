@@ -66,11 +66,10 @@ void add_report(CLI::App& program, int& exit_code) {
   CLI::App* command =
       program.add_subcommand("report", "A run or an experiment as one page of HTML");
   command->footer(
-      "DIR is what cigsim run --out DIR has written, or an experiment's --out. The page needs no\n"
-      "network and no other file. Of a run it holds pictures and how they differ from the exact\n"
-      "ones, times of the stages, crossings by line, and what pierces the element that is "
-      "clicked;\n"
-      "for these the scene is read and the frames are computed again.\n"
+      "DIR is what cigsim run, tradeoff, stability or experiment has written with --out DIR. The\n"
+      "page needs no network and no other file. Of a run it holds pictures and how they differ\n"
+      "from the exact ones, times of the stages, crossings by line, and what pierces the element\n"
+      "that is clicked; for these the scene is read and the frames are computed again.\n"
       "\nExamples:\n"
       "  cigsim report out                               writes out/report.html\n"
       "  cigsim report out -o approach.html --frames 30  more frames in the page\n"

@@ -12,11 +12,17 @@
 namespace cigsim::stability {
 namespace {
 
+// Numbers of lines are whole.
+std::string number_text(double value) {
+  const bool whole = value == std::floor(value) && value < 1e6;
+  return whole ? fmt::format("{:.0f}", value) : fmt::format("{:.2g}", value);
+}
+
 std::string limit_text(const EnvelopeLimit& limit, bool least) {
   if (!limit.searched) return "-";
   const char* sign = least ? ">" : "<";
-  if (!limit.failure) return fmt::format("({}{:.2g})", sign, limit.reached);
-  return limit.value ? fmt::format("{}{:.2g}", sign, *limit.value) : std::string("none");
+  if (!limit.failure) return fmt::format("({}{})", sign, number_text(limit.reached));
+  return limit.value ? fmt::format("{}{}", sign, number_text(*limit.value)) : "none";
 }
 
 std::string table(const std::vector<Envelope>& envelopes, bool searched) {
@@ -34,7 +40,7 @@ std::string table(const std::vector<Envelope>& envelopes, bool searched) {
     bool any = false;
     for (const QuantityName& q : quantity_names()) {
       const auto& formula = e.limit(q.quantity).predicted;
-      predicted += fmt::format("{:>12}", formula ? fmt::format("{:.2g}", *formula) : "");
+      predicted += fmt::format("{:>12}", formula ? number_text(*formula) : "");
       any = any || formula;
     }
     if (!any) continue;
